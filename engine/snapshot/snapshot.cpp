@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "engine/snapshot/snapshot.h"
+
+namespace svoscope {
+
+const char* searchOutcomeName(SearchOutcome outcome) {
+  switch (outcome) {
+    case SearchOutcome::none: return "not searched";
+    case SearchOutcome::matched: return "matched";
+    case SearchOutcome::no_match: return "no match";
+    case SearchOutcome::out_of_view: return "out of view";
+    case SearchOutcome::low_parallax: return "parallax too small";
+    case SearchOutcome::edge_parallel: return "edge along the epipolar line";
+    case SearchOutcome::tracked: return "measured by tracking";
+  }
+  return "unknown";
+}
+
+const char* seedStatusName(SeedStatus status) {
+  switch (status) {
+    case SeedStatus::active: return "active";
+    case SeedStatus::converged: return "converged";
+    case SeedStatus::rejected: return "rejected";
+    case SeedStatus::promoted: return "promoted";
+  }
+  return "unknown";
+}
+
+}  // namespace svoscope
