@@ -14,7 +14,7 @@ struct DetectorParameters {
   int cell_px = 30;              ///< side of a grid cell, px of level 0 at 640 px width
   int corner_levels = 3;         ///< corners are sought on levels 0 .. corner_levels - 1
   int fast_threshold = 10;       ///< grey levels
-  double min_corner_score = 12;  ///< Shi-Tomasi: smaller eigenvalue's root, grey levels per px
+  double min_corner_score = 4;   ///< Shi-Tomasi: smaller eigenvalue's root, grey levels per px
   double min_edge_gradient = 6;  ///< grey levels per px of level 1; 0 = no edgelets
   int border_px = 8;             ///< kept free on every level
 };
