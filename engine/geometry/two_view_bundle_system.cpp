@@ -161,7 +161,9 @@ void bundleCovariance(const MultiViewProblem& problem, const MultiViewOptions& o
   // of the free scale: project it out before reading off the diagonal.
   Eigen::MatrixXd M = llt.matrixL().solve(CD);  // 6K x N
   const Eigen::Map<const Eigen::VectorXd> rho(problem.inv_depth.data(), points);
-  const Eigen::VectorXd common = M * rho / std::max(rho.squaredNorm(), 1e-12);
+  // Well determined points count most, so that one wild point does not pass for the scale.
+  const Eigen::VectorXd information = D.cwiseProduct(rho);
+  const Eigen::VectorXd common = M * information / std::max(information.dot(rho), 1e-12);
   M -= common * rho.transpose();
   for (Index i = 0; i < points; ++i)
     summary.sigma_inv_depth[static_cast<std::size_t>(i)] =

@@ -99,7 +99,9 @@ InitializerOutput Initializer::process(const InitializerFrame& frame) {
 }
 
 bool Initializer::dueForAttempt(const InitializerReference& reference) const {
-  if (reference.alive() < parameters_.min_tracks) return false;
+  if (reference.alive() < parameters_.min_tracks ||
+      static_cast<int>(reference.frames().size()) < parameters_.min_frames)
+    return false;
   if (reference.disparity() < parameters_.min_disparity_px) return false;
   // Attempts cost tens of milliseconds: after a failure wait for a visible change.
   const double change = std::abs(reference.disparity() - reference.last_attempt_px);

@@ -112,10 +112,11 @@ std::vector<StartFeature> detectStartFeatures(const std::vector<cv::Mat>& pyrami
   std::vector<StartFeature> best;
   const int n = std::max(1, wanted);
   for (const Thresholds& limits : {Thresholds{4.0, 6.0, n}, Thresholds{2.5, 5.0, 3 * n / 2},
-                                   Thresholds{1.5, 4.0, 2 * n}}) {
+                                   Thresholds{1.5, 4.0, 2 * n}, Thresholds{0.8, 2.0, 2 * n}}) {
     int corners = 0;
     best = detectOnce(maps, pyramid[0], limits, corners);
     if (corners >= wanted / 2) break;
+    if (limits.corner < 2 && static_cast<int>(best.size()) >= wanted / 2) break;
   }
   return best;
 }

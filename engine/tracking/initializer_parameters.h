@@ -19,9 +19,9 @@ struct InitializerParameters {
                                  ///< 0: 2 % of the image width
   double min_parallax_px = 2.0;  ///< what the best rotation must leave of it, median, px
   double max_rms_px = 1.0;       ///< of the joint refinement; px
-  double max_depth_sigma = 0.04; ///< median relative uncertainty of depth; ratio
-  double noise_px = 0.5;         ///< least assumed error of a track, px (tracks err together,
-                                 ///< so that their scatter alone is too optimistic)
+  double max_depth_sigma = 0.05; ///< median relative uncertainty of depth; ratio
+  double noise_px = 0.15;        ///< least assumed error of a track, px
+  int min_frames = 2;            ///< frames after the reference: a third view tests the first two
   int refine_frames = 6;         ///< frames refined jointly, the current one included; count
   KltParameters klt;
 

@@ -12,6 +12,8 @@ namespace svoscope {
 namespace {
 
 constexpr double kEdgeletPriorPx = 2.0;  // how well neighbours predict an edge point, px
+constexpr double kMaxSurprisePx = 12;    // how far from their prediction lost tracks are taken, px
+constexpr int kMaxMissed = 10;           // frames a track may be missing (blur, occlusion)
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -20,14 +22,13 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Median motion since the last frame of the live corners nearest to a track; zero if there are
+/// Median motion since the last frame of the corners found nearest to a track; zero if there are
 /// too few.
 Vec2 neighbourMotion(const std::vector<StartTrack>& tracks, const StartTrack& of) {
   constexpr std::size_t kNeighbours = 5;
   std::vector<std::pair<double, Vec2>> near;
   for (const StartTrack& t : tracks)
-    if (t.alive && t.feature.type == FeatureType::corner)
-      near.emplace_back((t.previous - of.px).squaredNorm(), t.px - t.previous);
+    if (t.found) near.emplace_back((t.px - t.motion - of.px).squaredNorm(), t.motion);
   if (near.size() < kNeighbours) return Vec2::Zero();
   std::nth_element(near.begin(), near.begin() + kNeighbours - 1, near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -50,7 +51,7 @@ InitializerReference::InitializerReference(const InitializerFrame& frame,
     StartTrack track;
     track.id = first_id++;
     track.feature = feature;
-    track.px = track.previous = feature.px;
+    track.px = feature.px;
     track.patch = makeKltTemplate(*pyramid_, feature.px, A_cur_ref_, parameters.klt);
     tracks_.push_back(std::move(track));
   }
@@ -63,35 +64,40 @@ double InitializerReference::aliveRatio() const {
 
 void InitializerReference::track(const InitializerFrame& frame) {
   trackCorners(*frame.pyramid);
-  trackEdgelets(*frame.pyramid);
+  trackOthers(*frame.pyramid);
   updateWarp();
   record(frame);
 }
 
 void InitializerReference::trackCorners(const std::vector<cv::Mat>& pyramid) {
   for (StartTrack& t : tracks_) {
+    t.found = false;
     if (!t.alive || t.feature.type != FeatureType::corner) continue;
     renewPatch(t);
     KltResult found = trackKlt(t.patch, pyramid, t.px, {}, parameters_.klt);
     // Fast steady motion can exceed the reach of the coarsest level: try where it was heading.
-    if (!found.ok)
-      found = trackKlt(t.patch, pyramid, 2 * t.px - t.previous, {}, parameters_.klt);
-    t.alive = found.ok;
-    t.previous = t.px;
+    if (!found.ok) found = trackKlt(t.patch, pyramid, t.px + t.motion, {}, parameters_.klt);
+    if (!found.ok) continue;
+    t.found = true;
+    t.motion = found.px - t.px;
     t.px = found.px;
   }
 }
 
-void InitializerReference::trackEdgelets(const std::vector<cv::Mat>& pyramid) {
+void InitializerReference::trackOthers(const std::vector<cv::Mat>& pyramid) {
   for (StartTrack& t : tracks_) {
-    if (!t.alive || t.feature.type == FeatureType::corner) continue;
+    if (t.found || t.missed > kMaxMissed) continue;
     renewPatch(t);
-    const Vec2 guess = t.px + neighbourMotion(tracks_, t);
-    const KltResult found =
-        trackKlt(t.patch, pyramid, guess, {guess, kEdgeletPriorPx}, parameters_.klt);
-    t.alive = found.ok;
-    t.previous = t.px;
-    t.px = found.px;
+    const bool edgelet = t.feature.type == FeatureType::edgelet;
+    const Vec2 motion = neighbourMotion(tracks_, t);
+    const Vec2 guess = t.px + motion;
+    const KltPrior prior = edgelet ? KltPrior{guess, kEdgeletPriorPx} : KltPrior{};
+    const KltResult found = trackKlt(t.patch, pyramid, guess, prior, parameters_.klt);
+    // What comes back far from where its neighbours went is another thing.
+    t.alive = found.ok && (found.px - guess).norm() < kMaxSurprisePx;
+    t.missed = t.alive ? 0 : t.missed + 1;
+    t.motion = t.alive ? Vec2(found.px - t.px) : motion;
+    t.px = t.alive ? found.px : guess;
   }
 }
 

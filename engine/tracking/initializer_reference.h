@@ -21,9 +21,11 @@ struct StartTrack {
   std::int64_t id = -1;
   StartFeature feature;
   KltTemplate patch;
-  Vec2 px = Vec2::Zero();      ///< last position, level 0
-  Vec2 previous = Vec2::Zero();
-  bool alive = true;
+  Vec2 px = Vec2::Zero();      ///< position, level 0; carried along with its neighbours if missing
+  Vec2 motion = Vec2::Zero();  ///< since the frame before
+  bool alive = true;           ///< present in the last frame
+  bool found = false;          ///< a corner found directly: a guide for the others
+  int missed = 0;              ///< frames since it was last found
 };
 
 /// Positions of all tracks in one frame, in the order of the tracks; NaN where lost.
@@ -56,7 +58,7 @@ class InitializerReference {
 
  private:
   void trackCorners(const std::vector<cv::Mat>& pyramid);
-  void trackEdgelets(const std::vector<cv::Mat>& pyramid);
+  void trackOthers(const std::vector<cv::Mat>& pyramid);
   void updateWarp();
   void record(const InitializerFrame& frame);
   void renewPatch(StartTrack& track) const;

@@ -12,7 +12,8 @@ namespace svoscope {
 
 namespace {
 
-constexpr double kEdgeletsNeededBelow = 60;  // corners; with fewer, edgelets enter the two views
+constexpr int kEdgeletsNeededBelow = 30;  // corners; with fewer, edgelets enter the two views
+constexpr double kTwoViewSigmaPx = 0.5;   // generous: outliers of the joint fit go later
 constexpr double kAmbiguousRatio = 1.1;      // of the joint costs of two explanations
 
 double median(std::vector<double> values) {
@@ -214,7 +215,7 @@ void judge(const JointStart& joint, const InitializerParameters& o, int live, St
 /// Median uncertainty of depth relative to depth (for far points relative to a third of the
 /// median inverse depth: nothing better is asked of the background).
 double depthSigma(JointStart& joint, double noise_px) {
-  const double sigma_px = std::max(noise_px, joint.summary.scale_px);
+  const double sigma_px = std::max(noise_px, 2 * joint.summary.scale_px);
   const double floor = median(joint.problem.inv_depth) / 3;
   std::vector<double> relative;
   for (std::size_t i = 0; i < joint.tracks.size(); ++i) {
@@ -240,7 +241,7 @@ TwoViewResult solveTwoView(const InitializerReference& reference, const Pinhole&
   }
   TwoViewOptions options;
   options.focal = camera.focal();
-  options.sigma_px = parameters.noise_px;
+  options.sigma_px = kTwoViewSigmaPx;
   options.min_tracks = parameters.min_tracks;
   options.min_inliers = parameters.min_inliers;
   options.min_inlier_ratio = parameters.min_inlier_ratio;
@@ -284,6 +285,7 @@ StartSolution solveStart(const InitializerReference& reference, const Pinhole& c
     return out;
   }
   out.rms_px = rmsOf(best.summary);
+  out.scale_px = best.summary.scale_px;
   out.depth_sigma = depthSigma(best, parameters.noise_px);
   judge(best, parameters, reference.alive(), out);
   if (out.verdict == TwoViewVerdict::ok) fillSolution(reference, camera, std::move(best), out);

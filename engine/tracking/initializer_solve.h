@@ -26,6 +26,7 @@ struct StartSolution {
   std::vector<StartPoint> points;
   std::vector<SE3> T_frame_ref;  ///< one per frame of the reference; the last is the current
   double rms_px = 0, parallax_deg = 0, depth_sigma = 0;
+  double scale_px = 0;           ///< robust standard deviation of the residuals, px
   double rotation_residual_px = 0;
 };
 
