@@ -13,15 +13,15 @@ namespace {
 struct FontKind {
   const char* environment;
   std::vector<const char*> file_names;
-  float size;           // px at scale 1
+  float size;  // px at scale 1
   const ImWchar* glyphs;
 };
 
 constexpr const char* kFolders[] = {
-    "/usr/share/fonts/truetype/dejavu",         // Debian: fonts-dejavu-core
-    "/usr/share/fonts/dejavu-sans-fonts",       // Fedora
+    "/usr/share/fonts/truetype/dejavu",    // Debian: fonts-dejavu-core
+    "/usr/share/fonts/dejavu-sans-fonts",  // Fedora
     "/usr/share/fonts/dejavu",
-    "/usr/share/fonts/TTF",                     // Arch
+    "/usr/share/fonts/TTF",  // Arch
     "/usr/local/share/fonts",
 };
 
@@ -29,8 +29,8 @@ constexpr const char* kFolders[] = {
 constexpr ImWchar kTextGlyphs[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2033, 0x2070, 0x209C,
                                    0x2190, 0x21FF, 0x2200, 0x22FF, 0x2300, 0x2311, 0x25A0, 0x25FF,
                                    0x2605, 0x2606, 0x26A0, 0x26A0, 0x2713, 0x2717, 0};
-constexpr ImWchar kPlainGlyphs[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2033, 0x2190, 0x2194,
-                                    0x2200, 0x22C5, 0};
+constexpr ImWchar kPlainGlyphs[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2033,
+                                    0x2190, 0x2194, 0x2200, 0x22C5, 0};
 
 std::optional<std::string> findFont(const FontKind& kind) {
   std::error_code ignored;
@@ -81,7 +81,8 @@ std::vector<std::string> buildFonts(float scale) {
     if (addFont(kind, scale)) continue;
     warnings.push_back(std::string(kind.file_names.front()) +
                        " not found: Greek letters and arrows will show as '?' (install "
-                       "fonts-dejavu-core, or set " + kind.environment + " to a TTF file)");
+                       "fonts-dejavu-core, or set " +
+                       kind.environment + " to a TTF file)");
   }
   atlas.Build();
   return warnings;
