@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "ui/layout.h"
@@ -60,7 +61,7 @@ struct UiState {
   SceneOptions scene;
   LinkedX linked_x;       ///< of all plots over frames
   std::map<std::string, PlotState> plots;
-  int plot_group = 0;
+  std::set<std::string> plot_groups{"Features", "Time", "Error"};
   Layout layout = presetLayout("Tracking");
   std::string maximized;  ///< panel title, or empty
   bool show_help = false;
