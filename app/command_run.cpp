@@ -32,7 +32,7 @@ constexpr const char* kFooter =
 
 struct Arguments {
   std::string sequence, out, config;
-  std::string method = "it-svo";
+  std::string method = "svo";
   std::vector<std::string> settings;  ///< "key=value"
   bool sync = false;
   int start = 0;
@@ -154,7 +154,7 @@ int runRun(const Arguments& arguments) {
   options.threaded = !arguments.sync;
   options.start = arguments.start;
   options.max_frames = arguments.max_frames;
-  options.publish_images = false;  // nobody looks at them
+  options.publish_snapshots = false;  // nobody looks at them
   const std::string config =
       "# svoscope " SVOSCOPE_VERSION "\n" + parametersYaml(options.parameters, arguments.method);
   auto runner = makeRunner(std::move(sequence).value(), options);
@@ -183,7 +183,7 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->required()
       ->type_name("DIR");
   command->add_option("--method", arguments->method, "Odometry method")
-      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
+      ->check(CLI::IsMember({"svo"}))
       ->capture_default_str();
   command->add_flag("--sync", arguments->sync,
                     "Without threads: slower, the same result every time");

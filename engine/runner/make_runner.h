@@ -17,7 +17,9 @@ struct RunnerOptions {
   int max_frames = -1;       ///< -1: to the end
   Parameters parameters;
   std::size_t history_budget = 512u << 20;  ///< bytes of snapshots kept
-  bool publish_snapshots = true;            ///< off: only rows and events, for runs without a viewer
+  /// Off: rows and events only, and a snapshot whenever the run pauses or ends; for runs without
+  /// a viewer.
+  bool publish_snapshots = true;
 };
 
 /// Usage error for an unknown method, input error for an empty sequence.

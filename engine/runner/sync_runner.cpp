@@ -21,6 +21,8 @@ void SyncRunner::handle(const Command& command) {
   if (command.kind == Command::Kind::reset) {
     engine_.reset();
     log_.clear();
+  } else if (command.kind == Command::Kind::pause && !publish_ && engine_.record().index >= 0) {
+    log_.addSnapshot(engine_.snapshot());
   } else if (command.kind == Command::Kind::set_parameter) {
     const Status status = engine_.setParameter(command.key, command.value);
     if (!status.ok()) log_.addEvents({{engine_.nextFrame(), EventKind::warning, status.error().message()}});
@@ -32,10 +34,10 @@ void SyncRunner::processFrame() {
   engine_.step();
   if (const auto job = engine_.takeMappingJob()) engine_.applyMapping(runMappingJob(*job, engine_.mappingParameters()));
   engine_.refreshRecord();
-  if (publish_) log_.addSnapshot(engine_.snapshot());
+  playback_.processed(engine_.record(), isStart(engine_.events()));
+  if (publish_ || engine_.finished() || !playback_.wantsFrame()) log_.addSnapshot(engine_.snapshot());
   log_.addRecord(engine_.record());
   log_.addEvents(engine_.events());
-  playback_.processed(engine_.record(), isStart(engine_.events()));
   if (engine_.finished()) {
     playback_.finish();
     log_.addEvents({{engine_.record().index, EventKind::finished, "end of the sequence"}});
