@@ -18,6 +18,14 @@ std::string format(const char* text, Args... args) {
   return buffer;
 }
 
+/// Attempts cost ten times as much as tracking: the further off the last one was, the longer the
+/// next can wait. Depth uncertainty falls about as fast as the baseline grows.
+int framesToWait(const StartSolution& solution, const InitializerParameters& parameters) {
+  if (solution.verdict != TwoViewVerdict::low_parallax || !(solution.depth_sigma > 0)) return 3;
+  const double ratio = solution.depth_sigma / parameters.max_depth_sigma;
+  return 1 + static_cast<int>(std::clamp(2 * (ratio - 1), 0.0, 5.0));
+}
+
 void fillSuccess(const InitializerReference& reference, const StartSolution& solution,
                  const Pinhole& camera, InitializerOutput& out) {
   out.initialized = true;
@@ -73,7 +81,7 @@ InitializerOutput Initializer::process(const InitializerFrame& frame) {
   InitializerOutput out;
   // Oldest first: it has the longest baseline.
   for (auto& reference : references_) {
-    if (!dueForAttempt(*reference)) continue;
+    if (frame.index < reference->next_attempt_index || !dueForAttempt(*reference)) continue;
     const StartSolution solution = solveStart(*reference, camera_, parameters_);
     out.verdict = solution.verdict;
     out.model = solution.model;
@@ -91,7 +99,10 @@ InitializerOutput Initializer::process(const InitializerFrame& frame) {
       return out;
     }
     reference->last_attempt_px = reference->disparity();
-    reference->last_attempt_index = frame.index;
+    reference->next_attempt_index = frame.index + framesToWait(solution, parameters_);
+    reference->hints.clear();
+    if (solution.T_cur_ref.translation().norm() > 0.5) reference->hints = {solution.T_cur_ref};
+    break;  // one attempt per frame
   }
   renewReferences(frame);
   fillTracks(out);
@@ -105,7 +116,7 @@ bool Initializer::dueForAttempt(const InitializerReference& reference) const {
   if (reference.disparity() < parameters_.min_disparity_px) return false;
   // Attempts cost tens of milliseconds: after a failure wait for a visible change.
   const double change = std::abs(reference.disparity() - reference.last_attempt_px);
-  return change > std::max(1.0, 0.05 * reference.last_attempt_px);
+  return change > std::max(1.5, 0.05 * reference.last_attempt_px);
 }
 
 void Initializer::renewReferences(const InitializerFrame& frame) {

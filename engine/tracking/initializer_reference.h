@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/types.h"
+#include "engine/geometry/se3.h"
 #include "engine/tracking/initializer_features.h"
 #include "engine/tracking/initializer_parameters.h"
 #include "engine/tracking/klt.h"
@@ -54,7 +55,8 @@ class InitializerReference {
   double disparity() const { return frames_.empty() ? 0 : frames_.back().disparity_px; }
 
   double last_attempt_px = 0;  ///< disparity at the last attempt that failed
-  int last_attempt_index = -1; ///< frame of that attempt
+  int next_attempt_index = 0;  ///< frame before which a further one is not worth its time
+  std::vector<SE3> hints;      ///< its pose: a start for the next attempt
 
  private:
   void trackCorners(const std::vector<cv::Mat>& pyramid);

@@ -214,8 +214,15 @@ void judge(const JointStart& joint, const InitializerParameters& o, int live, St
 
 /// Median uncertainty of depth relative to depth (for far points relative to a third of the
 /// median inverse depth: nothing better is asked of the background).
-double depthSigma(JointStart& joint, double noise_px) {
-  const double sigma_px = std::max(noise_px, 2 * joint.summary.scale_px);
+double depthSigma(JointStart& joint, const Pinhole& camera, const InitializerParameters& o) {
+  std::vector<double> turned;
+  const Eigen::Quaterniond& q = joint.problem.T_frame_ref.back().quaternion();
+  for (const Vec2& x : joint.problem.x_ref)
+    turned.push_back(((q * x.homogeneous()).hnormalized() - x).norm() * camera.focal());
+  // A wrong lens or a rolling shutter bends the image in step with its rotation, and the fit
+  // takes that for translation without leaving residuals.
+  const double sigma_px = std::hypot(std::max(o.noise_px, 2 * joint.summary.scale_px),
+                                     o.model_error * median(turned));
   const double floor = median(joint.problem.inv_depth) / 3;
   std::vector<double> relative;
   for (std::size_t i = 0; i < joint.tracks.size(); ++i) {
@@ -246,7 +253,8 @@ TwoViewResult solveTwoView(const InitializerReference& reference, const Pinhole&
   options.min_inliers = parameters.min_inliers;
   options.min_inlier_ratio = parameters.min_inlier_ratio;
   options.min_disparity_px = parameters.min_parallax_px;
-  return estimateTwoView(x_ref, x_cur, options);
+  options.max_samples = parameters.max_samples;
+  return estimateTwoView(x_ref, x_cur, options, reference.hints);
 }
 
 }  // namespace
@@ -286,7 +294,8 @@ StartSolution solveStart(const InitializerReference& reference, const Pinhole& c
   }
   out.rms_px = rmsOf(best.summary);
   out.scale_px = best.summary.scale_px;
-  out.depth_sigma = depthSigma(best, parameters.noise_px);
+  out.depth_sigma = depthSigma(best, camera, parameters);
+  out.T_cur_ref = best.problem.T_frame_ref.back();
   judge(best, parameters, reference.alive(), out);
   if (out.verdict == TwoViewVerdict::ok) fillSolution(reference, camera, std::move(best), out);
   return out;

@@ -28,6 +28,8 @@ struct StartSolution {
   double rms_px = 0, parallax_deg = 0, depth_sigma = 0;
   double scale_px = 0;           ///< robust standard deviation of the residuals, px
   double rotation_residual_px = 0;
+  SE3 T_cur_ref;                 ///< of the joint refinement, also if not accepted; |t| = 1
+                                 ///< unless accepted; identity if it was not reached
 };
 
 /// Two views (reference and last frame), then joint robust refinement over some frames between.
