@@ -17,10 +17,7 @@ bool isAsl(const fs::path& folder) {
   return fs::is_directory(folder / "mav0") || fs::is_directory(folder / "cam0");
 }
 
-}  // namespace
-
-OpenedSequence openSequence(const std::string& spec) {
-  if (isSyntheticSpec(spec)) return openSyntheticSequence(spec);
+OpenedSequence openPath(const std::string& spec) {
   const fs::path path(spec);
   std::error_code ec;
   if (spec.empty() || !fs::exists(path, ec))
@@ -33,6 +30,17 @@ OpenedSequence openSequence(const std::string& spec) {
   if (!sortedImages(path).empty()) return openImageFolder(path);
   if (fs::is_directory(path / "rgb")) return openTumSequence(path);  // says that rgb.txt is missing
   return inputError("no known sequence layout", spec, kKinds);
+}
+
+}  // namespace
+
+OpenedSequence openSequence(const std::string& spec) {
+  if (isSyntheticSpec(spec)) return openSyntheticSequence(spec);
+  try {
+    return openPath(spec);
+  } catch (const fs::filesystem_error& e) {
+    return inputError(e.code().message(), spec, "check that you may read the folder");
+  }
 }
 
 }  // namespace svoscope

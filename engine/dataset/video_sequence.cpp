@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -12,6 +13,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const kLayout = "a video needs its calibration beside it: NAME.yaml or camera.yaml";
+
+/// OpenCV tries one decoder after the other and complains about each that fails.
+bool openQuietly(cv::VideoCapture& capture, const fs::path& file) {
+  const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  const bool opened = capture.open(file.string());
+  cv::utils::logging::setLogLevel(level);
+  return opened;
+}
 
 class VideoSequence : public Sequence {
  public:
@@ -45,7 +54,7 @@ class VideoSequence : public Sequence {
 };
 
 Status VideoSequence::open() {
-  if (!capture_.open(file_.string()))
+  if (!openQuietly(capture_, file_))
     return inputError("the video cannot be opened", file_.string(),
                       "sequences are folders or videos that OpenCV can decode");
   const double container_rate = capture_.get(cv::CAP_PROP_FPS);
@@ -76,7 +85,7 @@ Status VideoSequence::seek(int index) {
   if (index < next_) {
     capture_.release();
     next_ = 0;
-    if (!capture_.open(file_.string()))
+    if (!openQuietly(capture_, file_))
       return inputError("the video cannot be opened again", file_.string(),
                         "check that the file is still there");
   }

@@ -9,7 +9,7 @@
 namespace svoscope::synthetic {
 
 /// Brightness factor of each frame: constant for 25 frames, then a step by a ratio between
-/// 1.3^-light and 1.3^light; stays within 0.7..1.3 (for light up to 1). The first piece is 1.
+/// 1.3^-light and 1.3^light; stays within 1/1.3..1.3 (for light up to 1). The first piece is 1.
 std::vector<float> illumination(int frames, double light, std::uint64_t seed);
 
 /// CV_8UC1 of a rendered image: times `gain`, plus Gaussian noise of standard deviation `sigma`

@@ -42,7 +42,7 @@ TEST(WriteTum, WhatIsWrittenReadsBackTheSame) {
 
 TEST(WriteTum, StoppingLeavesAShorterSequence) {
   TemporaryFolder folder;
-  auto source = openSequence("synthetic:still?size=64x48&frames=5");
+  auto source = openSequence("synthetic:desk?size=64x48&frames=5");
   ASSERT_TRUE(source.ok());
   const auto twice = [](int done, int) { return done < 2; };
   ASSERT_TRUE(writeTumSequence(*source.value(), folder.path(), twice).ok());
@@ -65,7 +65,7 @@ TEST(WriteTum, WithoutDepthThereIsNoDepthFolder) {
 TEST(WriteTum, UnwritableFolderIsAnOutputError) {
   TemporaryFolder folder;
   writeText(folder / "file", "in the way");
-  auto source = openSequence("synthetic:still?size=64x48&frames=1");
+  auto source = openSequence("synthetic:desk?size=64x48&frames=1");
   ASSERT_TRUE(source.ok());
   const Status status = writeTumSequence(*source.value(), folder / "file/out", {});
   ASSERT_FALSE(status.ok());

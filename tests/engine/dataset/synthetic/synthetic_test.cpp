@@ -157,7 +157,7 @@ TEST(Synthetic, FocalLengthFollowsTheWidth) {
   const auto floor = open("synthetic:floor?frames=1");
   EXPECT_EQ(floor->camera().pinhole.width, 752);
   EXPECT_EQ(floor->camera().pinhole.fx, 315);
-  EXPECT_EQ(open("synthetic:forward?frames=1&size=64x48")->camera().rate_hz, 10);
+  EXPECT_EQ(parseSyntheticSpec("synthetic:forward").value().rate_hz, 10);
 }
 
 TEST(Synthetic, WrongWordsListTheRightOnes) {
