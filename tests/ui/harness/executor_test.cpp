@@ -36,8 +36,7 @@ struct DemoContent : UiContent {
     Probe::record("Gain");
     ImGui::InputText("##name", text, sizeof text);
     Probe::record("##name");
-    if (!ImGui::GetIO().WantTextInput)
-      spaces += ImGui::IsKeyPressed(index(Key::space), false);
+    if (!ImGui::GetIO().WantTextInput) spaces += ImGui::IsKeyPressed(index(Key::space), false);
     const ImVec2 lo(20, 120), hi(120, 180);
     ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, IM_COL32(0, 200, 0, 255));
     Probe::record("panel:Green", lo, hi);
