@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 uniform float width;
 in vec4 fragment_color;
-noperspective in float across;
+in float across;
 out vec4 pixel;
 
 void main() {

@@ -10,14 +10,15 @@ layout(location = 1) in vec4 start_color;
 layout(location = 2) in vec3 end;
 layout(location = 3) in vec4 end_color;
 out vec4 fragment_color;
-noperspective out float across;  // pixels from the centre line
+out float across;  // pixels from the centre line
 
-const float near = 1e-4;
+// Distance to the near plane, in clip space; negative in front of it.
+float depth(vec4 p) { return p.z + p.w; }
 
-// Ends behind the camera would be mirrored by the division: move them to the near side.
-vec4 clipped(vec4 a, vec4 b) {
-  if (a.w >= near || b.w < near) return a;
-  return mix(a, b, (near - a.w) / (b.w - a.w));
+// Ends behind the camera would be mirrored by the division: move them to the near plane.
+vec4 clipped(vec4 p, vec4 other) {
+  float inside = depth(other), outside = depth(p);
+  return outside >= 0.0 ? p : mix(p, other, -outside / (inside - outside));
 }
 
 void main() {
@@ -26,19 +27,21 @@ void main() {
   bool at_end = (gl_VertexID & 1) == 1;
   float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
   fragment_color = at_end ? end_color : start_color;
-  if (a.w < near && b.w < near) {
+  if (depth(a) <= 0.0 && depth(b) <= 0.0) {
     across = 0.0;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  vec4 p = clipped(a, b), q = clipped(b, a);
-  vec2 along = (q.xy / q.w - p.xy / p.w) * viewport;
+  // Divided here, so that the width across is interpolated in pixels whatever the perspective.
+  vec4 near_a = clipped(a, b), near_b = clipped(b, a);
+  vec3 p = near_a.xyz / near_a.w, q = near_b.xyz / near_b.w;
+  vec2 along = (q.xy - p.xy) * viewport;
   float length_px = length(along);
   along = length_px > 1e-6 ? along / length_px : vec2(1.0, 0.0);
   // Half a pixel more on each side for the soft edge.
   float reach = 0.5 * width + 0.5;
   across = side * reach;
-  vec4 corner = at_end ? q : p;
-  corner.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * corner.w;
-  gl_Position = vec4(corner.x, -corner.y, corner.zw);  // row 0 of the texture is the top
+  vec3 corner = at_end ? q : p;
+  corner.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport;
+  gl_Position = vec4(corner.x, -corner.y, corner.z, 1.0);  // row 0 of the texture is the top
 }
