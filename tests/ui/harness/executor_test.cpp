@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "tests/support/support.h"
-#include "tests/ui/harness/fake_runner.h"
+#include "tests/ui/harness/tiny_runner.h"
 #include "tests/ui/render/render_fixture.h"
 
 namespace svoscope::ui {
@@ -60,7 +60,7 @@ class ExecutorTest : public testing::Test {
   std::unique_ptr<Host> host;
   DemoContent content;
   ScriptTarget target;
-  FakeRunner runner;
+  TinyRunner runner;
   ScriptReport report;
 };
 

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/ui/harness/fake_runner.h"
+#include "tests/ui/harness/tiny_runner.h"
 #include "ui/harness/engine_driver.h"
 
 namespace svoscope::ui {
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 class InspectorTargetTest : public testing::Test {
  protected:
-  FakeRunner runner;
+  TinyRunner runner;
   UiState state;
   InspectorTarget target{runner, state};
 };
