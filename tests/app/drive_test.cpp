@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "tests/support/fake_runner.h"
+#include "tests/support/scripted_runner.h"
 #include "tests/support/support.h"
 
 namespace svoscope {
@@ -23,7 +23,7 @@ struct DriveTest : testing::Test {
 };
 
 TEST_F(DriveTest, EveryFrameIsWritten) {
-  test::FakeRunner runner(test::fakeRecords(40));
+  test::ScriptedRunner runner(test::fakeRecords(40));
   int shown = 0;
   options.progress = [&](const FrameRecord&, const RunnerStatus&) { ++shown; };
   const auto outcome = run(runner);
@@ -35,7 +35,7 @@ TEST_F(DriveTest, EveryFrameIsWritten) {
 }
 
 TEST_F(DriveTest, UnreadableFramesAreCountedAndWarned) {
-  test::FakeRunner runner(test::fakeRecords(40));
+  test::ScriptedRunner runner(test::fakeRecords(40));
   runner.unreadable = 2;
   runner.events_ = {{7, EventKind::warning, "cannot be decoded"}, {8, EventKind::info, "x"}};
   const auto outcome = run(runner);
@@ -46,7 +46,7 @@ TEST_F(DriveTest, UnreadableFramesAreCountedAndWarned) {
 }
 
 TEST_F(DriveTest, AnInterruptEndsTheRunWithWhatIsDone) {
-  test::FakeRunner runner(test::fakeRecords(40));
+  test::ScriptedRunner runner(test::fakeRecords(40));
   std::atomic<bool> stop{false};
   options.stop = &stop;
   runner.after_frame = [&](int done) { stop = done >= 5; };
@@ -59,7 +59,7 @@ TEST_F(DriveTest, AnInterruptEndsTheRunWithWhatIsDone) {
 }
 
 TEST_F(DriveTest, AnEngineThatStopsByItselfIsReported) {
-  test::FakeRunner runner(test::fakeRecords(40));
+  test::ScriptedRunner runner(test::fakeRecords(40));
   runner.stop_after = 10;
   const auto outcome = run(runner);
   ASSERT_TRUE(outcome.ok());
@@ -68,7 +68,7 @@ TEST_F(DriveTest, AnEngineThatStopsByItselfIsReported) {
 }
 
 TEST_F(DriveTest, AnEmptySequenceEndsAtOnce) {
-  test::FakeRunner runner({});
+  test::ScriptedRunner runner({});
   const auto outcome = run(runner);
   ASSERT_TRUE(outcome.ok());
   EXPECT_EQ(outcome.value().frames, 0);
@@ -77,7 +77,7 @@ TEST_F(DriveTest, AnEmptySequenceEndsAtOnce) {
 TEST_F(DriveTest, AFullDiskStopsTheRun) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   std::filesystem::create_directories(folder / "out");
-  test::FakeRunner runner(test::fakeRecords(40));
+  test::ScriptedRunner runner(test::fakeRecords(40));
   ASSERT_TRUE(writer.begin(folder / "out", runner.info(), "").ok());
   RunWriter full;
   std::filesystem::remove(folder / "out" / "frames.csv");

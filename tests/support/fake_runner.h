@@ -1,124 +1,86 @@
 // SPDX-License-Identifier: MIT
-// A runner without an engine: hands out the frames a test gives it, one per pump().
+// A runner without an engine: plausible snapshots of a camera moving through a room, with a
+// two-view start, keyframes, a loss and a relocalization, for tests and pictures of the UI.
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <memory>
+#include <deque>
+#include <map>
+#include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
 
 #include "engine/runner/runner.h"
 
-namespace svoscope::test {
+namespace svoscope {
+
+struct FakeOptions {
+  int frames = 240;
+  int width = 640, height = 480;
+  int landmarks = 700;       ///< in the room
+  int seeds = 300;           ///< per snapshot, about
+  int start = 12;            ///< frame of the two-view start
+  int lost_from = 140, lost_to = 148;
+  int history = 1000;        ///< snapshots held
+  bool ground_truth = true;
+  bool features = true;      ///< else every frame is empty
+  std::string method = "it-svo";
+};
 
 class FakeRunner : public Runner {
  public:
-  /// Rows to hand out; further fields may be changed by the test before the run.
-  explicit FakeRunner(std::vector<FrameRecord> rows) : rows_(std::move(rows)) {
-    info_.sequence = "fake";
-    info_.method = "it-svo";
-    info_.frames = static_cast<int>(rows_.size());
-  }
+  explicit FakeRunner(const FakeOptions& options = {});
 
-  RunInfo info_;
-  std::vector<Event> events_;
-  SnapshotPtr last_;                          ///< what latest() gives once frames were handed out
-  int stop_after = -1;                        ///< pauses by itself after so many frames
-  int unreadable = 0;                         ///< frames at the end that have no row
-  std::function<void(int done)> after_frame;  ///< called in pump()
-
-  void send(const Command& command) override {
-    if (command.kind == Command::Kind::play) playing_ = true;
-    if (command.kind == Command::Kind::pause) playing_ = false;
-  }
-  bool pump() override {
-    if (!playing_ || finished()) return false;
-    ++done_;
-    if (after_frame) after_frame(done_);
-    if (done_ == stop_after || finished()) playing_ = false;
-    return true;
-  }
+  void send(const Command& command) override;
+  bool pump() override;
   const RunInfo& info() const override { return info_; }
-  RunnerStatus status() const override {
-    RunnerStatus status;
-    status.playing = playing_;
-    status.finished = finished();
-    const int first = rows_.empty() ? 0 : rows_.front().index;
-    status.next_frame = first + done_ + (finished() ? unreadable : 0);
-    return status;
-  }
-  SnapshotPtr latest() const override { return done_ > 0 ? last_ : nullptr; }
-  SnapshotPtr at(int frame_index) const override {
-    return last_ && last_->record.index == frame_index ? last_ : nullptr;
-  }
-  std::vector<FrameRecord> records(int first) const override {
-    return {rows_.begin() + std::min(first, done_), rows_.begin() + done_};
-  }
-  std::vector<Event> events(int first) const override {
-    const auto size = static_cast<int>(events_.size());
-    return {events_.begin() + std::min(first, size), events_.end()};
-  }
-  std::vector<ParameterView> parameters() const override { return {}; }
-  int generation() const override { return 0; }
+  RunnerStatus status() const override;
+  SnapshotPtr latest() const override { return history_.empty() ? nullptr : history_.back(); }
+  SnapshotPtr at(int frame_index) const override;
+  std::vector<FrameRecord> records(int first) const override;
+  std::vector<Event> events(int first) const override;
+  std::vector<ParameterView> parameters() const override { return parameters_; }
+  int generation() const override { return generation_; }
+
+  /// Processes frames until `frames` were done.
+  void runTo(int frames);
+  const std::vector<Command>& sent() const { return sent_; }
 
  private:
-  bool finished() const { return done_ == static_cast<int>(rows_.size()); }
+  struct Landmark {
+    Vec3 position;
+    FeatureType type;
+    double direction;
+    double noise;
+  };
 
-  std::vector<FrameRecord> rows_;
-  int done_ = 0;
+  void makeRoom();
+  void makeTruth();
+  void makeParameters();
+  void process();
+  SE3 truth(int frame) const;
+  SE3 estimate(int frame) const;
+  TrackingState stateOf(int frame) const;
+  void fillRecord(Snapshot& s) const;
+  void fillFeatures(Snapshot& s) const;
+  void fillTracks(Snapshot& s) const;
+  void fillSeeds(Snapshot& s) const;
+  void fillMap(Snapshot& s) const;
+  void fillEvents(Snapshot& s) const;
+  std::shared_ptr<const std::vector<cv::Mat>> draw(int frame) const;
+
+  FakeOptions options_;
+  RunInfo info_;
+  std::vector<Landmark> room_;
+  std::deque<SnapshotPtr> history_;
+  std::vector<FrameRecord> records_;
+  std::vector<Event> events_;
+  std::vector<ParameterView> parameters_;
+  std::vector<Command> sent_;
+  cv::Mat background_;
   bool playing_ = false;
+  int pending_steps_ = 0, generation_ = 1, stop_after_ = -1;
+  std::uint64_t sequence_ = 0;
+  Command::Kind run_to_ = Command::Kind::pause;
 };
 
-/// `count` frames at 10 Hz on a curve in space. The first two are the start; frames 10 and 11 are
-/// lost and frame 12 is found again, if there are that many.
-inline std::vector<FrameRecord> fakeRecords(int count) {
-  std::vector<FrameRecord> rows;
-  for (int i = 0; i < count; ++i) {
-    FrameRecord row;
-    row.index = i;
-    row.timestamp = 100 + 0.1 * i;
-    const bool lost = i == 10 || i == 11;
-    row.state = i < 2  ? TrackingState::initializing
-                : lost ? TrackingState::lost
-                       : TrackingState::tracking;
-    row.pose_good = i >= 2 && !lost;
-    row.relocalized = i == 12;
-    row.is_keyframe = i % 5 == 2;
-    row.reason = lost ? "3 inliers < 40 required" : "tracking, \"good\"";
-    row.T_world_cam =
-        SE3(so3Exp(Vec3(0, 0.01 * i, 0)), Vec3(0.1 * i, 0.01 * i * i, 0.001 * i * i * i));
-    row.keyframes = 1 + i / 5;
-    row.seeds_converged = 2;
-    row.seeds_rejected = 1;
-    row.time_ms[static_cast<int>(Stage::tracking)] = 10 + i;
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-/// A snapshot with a small map: three points, one segment, two keyframes, two converged seeds.
-inline SnapshotPtr fakeSnapshot(const FrameRecord& record) {
-  auto snapshot = std::make_shared<Snapshot>();
-  snapshot->record = record;
-  std::vector<MapPointView> points(5);
-  for (int i = 0; i < 5; ++i) {
-    points[i].id = i < 3 ? i : 3;
-    points[i].position = Vec3f(1.5f * static_cast<float>(i), -1, 4);
-    points[i].type = i < 3 ? FeatureType::corner : FeatureType::segment;
-    points[i].observations = i;
-  }
-  snapshot->points = std::make_shared<const std::vector<MapPointView>>(points);
-  std::vector<KeyframeView> keyframes = {{0, 2, SE3()}, {1, 7, SE3()}};
-  snapshot->keyframes = std::make_shared<const std::vector<KeyframeView>>(keyframes);
-  std::vector<SeedView> seeds(3);
-  for (int i = 0; i < 3; ++i) {
-    seeds[i].id = i;
-    seeds[i].updates = 10 + 2 * i;
-    seeds[i].status = i < 2 ? SeedStatus::converged : SeedStatus::active;
-  }
-  snapshot->seeds = std::make_shared<const std::vector<SeedView>>(seeds);
-  return snapshot;
-}
-
-}  // namespace svoscope::test
+}  // namespace svoscope

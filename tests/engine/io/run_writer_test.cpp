@@ -8,7 +8,7 @@
 #include <set>
 
 #include "engine/eval/trajectory_file.h"
-#include "tests/support/fake_runner.h"
+#include "tests/support/scripted_runner.h"
 #include "tests/support/support.h"
 
 namespace svoscope {

@@ -12,7 +12,7 @@
 #include "engine/io/png.h"
 #include "engine/io/text_output.h"
 #include "engine/io/trajectory_writer.h"
-#include "tests/support/fake_runner.h"
+#include "tests/support/scripted_runner.h"
 #include "tests/support/support.h"
 
 namespace svoscope {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The inspector's menu bar.
+#include <cmath>
+
+#include "ui/inspector.h"
+#include "ui/palette.h"
+#include "ui/panels/export.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/probe.h"
+
+namespace svoscope::ui {
+
+namespace {
+
+bool menuItem(const char* label, const char* keys = nullptr, bool checked = false, bool enabled = true) {
+  const bool chosen = ImGui::MenuItem(label, keys, checked, enabled);
+  Probe::record(label);
+  return chosen;
+}
+
+bool beginMenu(const char* label) {
+  const bool open = ImGui::BeginMenu(label);
+  // The item's rectangle is that of the bar's entry only while the menu is closed.
+  if (!open) Probe::record(label);
+  return open;
+}
+
+}  // namespace
+
+void Inspector::drawFileMenu(PanelContext& context) {
+  const bool any = !caches_.run.records().empty();
+  if (menuItem("Screenshot", "P")) act(Action::screenshot);
+  if (menuItem("Export trajectory", "TUM", false, any)) {
+    exportText(context, "trajectory.txt", trajectoryText(caches_.run.records()));
+  }
+  if (menuItem("Export frames", "CSV", false, any)) {
+    exportText(context, "frames.csv", framesCsv(caches_.run));
+  }
+  ImGui::Separator();
+  if (menuItem("Quit")) state_.close = true;
+}
+
+void Inspector::drawRunMenu(PanelContext& context) {
+  if (menuItem(context.status.playing ? "Pause##menu" : "Play##menu", "Space")) act(Action::play_pause);
+  if (menuItem("One frame forward", "Right")) act(Action::step);
+  if (menuItem("One frame back", "Left", false, context.latest != nullptr)) act(Action::back);
+  ImGui::Separator();
+  if (menuItem("To next keyframe", "Shift + Right")) act(Action::next_keyframe);
+  if (menuItem("To loss of tracking", "L")) act(Action::next_loss);
+  if (menuItem("To two-view start")) context.send(Command::Kind::run_to_start);
+  ImGui::Separator();
+  if (menuItem("Reset##menu")) context.send(Command::Kind::reset);
+}
+
+void Inspector::drawViewMenu() {
+  const char* keys[] = {"1", "2", "3", "4"};
+  for (std::size_t i = 0; i < presetNames().size(); ++i) {
+    const std::string label = presetNames()[i] + " layout";
+    if (menuItem(label.c_str(), keys[i], state_.layout.name == presetNames()[i])) showPreset(presetNames()[i]);
+  }
+  if (menuItem("Reset layout")) showPreset(state_.layout.name);
+  ImGui::Separator();
+  for (const std::string& panel : panelNames()) {
+    const bool shown = hasPanel(state_.layout.root, panel);
+    const std::string label = panel + " panel";
+    if (!menuItem(label.c_str(), nullptr, shown)) continue;
+    if (shown) hidePanel(state_.layout.root, panel);
+    else showPanel(state_.layout.root, panel);
+    layoutChanged();
+  }
+  menuItem("Timeline##menu", nullptr, state_.show_transport) && (state_.show_transport ^= true);
+  menuItem("Status bar", nullptr, state_.show_status) && (state_.show_status ^= true);
+  ImGui::Separator();
+  if (!beginMenu("Interface scale")) return;
+  for (const float scale : {0.75f, 1.0f, 1.25f, 1.5f, 2.0f, 2.5f, 3.0f}) {
+    const bool current = std::abs(scale - state_.ui_scale) < 0.01f;
+    if (menuItem(format("%g", scale).c_str(), nullptr, current)) scale_request_ = scale;
+  }
+  ImGui::EndMenu();
+}
+
+void Inspector::drawMenu(PanelContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {grid(2), grid(2)});
+  if (ImGui::BeginMenuBar()) {
+    if (beginMenu("File")) {
+      drawFileMenu(context);
+      ImGui::EndMenu();
+    }
+    if (beginMenu("Run")) {
+      drawRunMenu(context);
+      ImGui::EndMenu();
+    }
+    if (beginMenu("View")) {
+      drawViewMenu();
+      ImGui::EndMenu();
+    }
+    if (beginMenu("Help")) {
+      if (menuItem("Shortcuts…", "?")) state_.show_help = true;
+      ImGui::EndMenu();
+    }
+    ImGui::EndMenuBar();
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace svoscope::ui

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "ui/layout_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/palette.h"
+#include "ui/theme.h"
+#include "ui/widgets/probe.h"
+#include "ui/widgets/splitter.h"
+
+namespace svoscope::ui {
+
+namespace {
+
+float titleHeight() { return std::round(ImGui::GetFontSize() + grid(2)); }
+
+void toggleMaximized(LayoutView& view, const std::string& panel) {
+  if (!view.maximized) return;
+  *view.maximized = view.maximized->empty() ? panel : std::string();
+}
+
+// One tab; returns its width.
+float tab(const std::string& name, ImVec2 at, bool active, bool& clicked, bool& doubled) {
+  const float width = ImGui::CalcTextSize(name.c_str()).x + grid(4), height = titleHeight();
+  ImGui::SetCursorScreenPos(at);
+  clicked = ImGui::InvisibleButton(name.c_str(), {width, height});
+  doubled = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+  Probe::record("tab:" + name, {at.x, at.y}, {at.x + width, at.y + height});
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 hi{at.x + width, at.y + height};
+  if (active) {
+    list->AddRectFilled(at, hi, ink::panel);
+    list->AddRectFilled(at, {hi.x, at.y + dp(2)}, ink::accent);
+  }
+  const ImU32 color = active ? ink::text : ImGui::IsItemHovered() ? ink::text : ink::dim;
+  list->AddText({at.x + grid(2), std::round(at.y + (height - ImGui::GetFontSize()) / 2)}, color, name.c_str());
+  return width;
+}
+
+void titleBar(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(lo, {hi.x, lo.y + titleHeight()}, ink::title);
+  ImGui::PushClipRect(lo, {hi.x, lo.y + titleHeight()}, true);
+  float x = lo.x;
+  for (int i = 0; i < static_cast<int>(node.panels.size()); ++i) {
+    bool clicked = false, doubled = false;
+    const std::string& name = node.panels[static_cast<std::size_t>(i)];
+    x += tab(name, {x, lo.y}, i == node.active, clicked, doubled);
+    if (clicked && node.active != i) {
+      node.active = i;
+      view.changed = true;
+    }
+    if (doubled) toggleMaximized(view, name);
+  }
+  if (hi.x > x + 1) {
+    ImGui::SetCursorScreenPos({x, lo.y});
+    ImGui::InvisibleButton("##rest", {hi.x - x, titleHeight()});
+    const bool doubled = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+    if (doubled) toggleMaximized(view, node.panels[static_cast<std::size_t>(node.active)]);
+  }
+  ImGui::PopClipRect();
+}
+
+void drawLeaf(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
+  if (node.panels.empty() || hi.x - lo.x < 8 || hi.y - lo.y < 8) return;
+  node.active = std::clamp(node.active, 0, static_cast<int>(node.panels.size()) - 1);
+  const std::string panel = node.panels[static_cast<std::size_t>(node.active)];
+  ImGui::PushID(node.panels.front().c_str());
+  titleBar(node, lo, hi, view);
+  const ImVec2 top{lo.x, lo.y + titleHeight()};
+  ImGui::GetWindowDrawList()->AddRectFilled(top, hi, ink::panel);
+  ImGui::SetCursorScreenPos(top);
+  // Pictures are zoomed by the wheel; the lists below scroll.
+  const bool picture = panel == "Image" || panel == "3-D" || panel == "Plots";
+  const ImGuiWindowFlags flags =
+      ImGuiWindowFlags_AlwaysUseWindowPadding | (picture ? ImGuiWindowFlags_NoScrollWithMouse : 0);
+  const ImVec2 size{std::max(1.0f, hi.x - lo.x), std::max(1.0f, hi.y - top.y)};
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {grid(1.5f), grid(1.5f)});
+  if (ImGui::BeginChild(panel.c_str(), size, false, flags)) view.draw_panel(panel);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  Probe::record("panel:" + panel, lo, hi);
+  ImGui::PopID();
+}
+
+void drawNode(LayoutNode& node, ImVec2 lo, ImVec2 hi, const std::string& path, LayoutView& view) {
+  if (node.leaf) return drawLeaf(node, lo, hi, view);
+  const float gap = grid(1);
+  const float length = node.side_by_side ? hi.x - lo.x : hi.y - lo.y;
+  const float cut = std::round((length - gap) * node.ratio);
+  ImVec2 first_hi = hi, second_lo = lo;
+  if (node.side_by_side) {
+    first_hi.x = lo.x + cut;
+    second_lo.x = first_hi.x + gap;
+  } else {
+    first_hi.y = lo.y + cut;
+    second_lo.y = first_hi.y + gap;
+  }
+  drawNode(*node.first, lo, first_hi, path + "0", view);
+  drawNode(*node.second, second_lo, hi, path + "1", view);
+  const ImVec2 gap_lo = node.side_by_side ? ImVec2{first_hi.x, lo.y} : ImVec2{lo.x, first_hi.y};
+  const ImVec2 gap_hi = node.side_by_side ? ImVec2{second_lo.x, hi.y} : ImVec2{hi.x, second_lo.y};
+  if (splitter(path.c_str(), gap_lo, gap_hi, node.side_by_side, length, grid(25), node.ratio)) {
+    view.changed = true;
+  }
+}
+
+}  // namespace
+
+void drawLayout(Layout& layout, ImVec2 lo, ImVec2 hi, LayoutView& view) {
+  if (view.maximized && !view.maximized->empty()) {
+    LayoutNode alone;
+    alone.panels = {*view.maximized};
+    return drawLeaf(alone, lo, hi, view);
+  }
+  drawNode(layout.root, lo, hi, "s", view);
+}
+
+}  // namespace svoscope::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Draws a layout: title bars with tabs, contents, splitters between them.
+#pragma once
+
+#include <imgui/imgui.h>
+
+#include <functional>
+#include <string>
+
+#include "ui/layout.h"
+
+namespace svoscope::ui {
+
+struct LayoutView {
+  std::function<void(const std::string& panel)> draw_panel;
+  std::string* maximized = nullptr;  ///< panel shown alone, or empty
+  bool changed = false;              ///< by the user in this frame
+};
+
+/// Fills the rectangle lo..hi of the current window.
+void drawLayout(Layout& layout, ImVec2 lo, ImVec2 hi, LayoutView& view);
+
+}  // namespace svoscope::ui
