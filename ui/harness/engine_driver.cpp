@@ -47,7 +47,8 @@ std::string whereNow(const Runner& runner) {
   const RunnerStatus status = runner.status();
   std::string text = "after frame " + std::to_string(status.next_frame - 1);
   if (const SnapshotPtr latest = runner.latest())
-    text += " (" + std::string(stateName(latest->record.state)) + ": " + latest->record.reason + ")";
+    text +=
+        " (" + std::string(stateName(latest->record.state)) + ": " + latest->record.reason + ")";
   return text;
 }
 
@@ -125,11 +126,12 @@ Status stepFrames(Runner& runner, int frames) {
 
 Status runUntil(Runner& runner, const std::string& until) {
   if (const Goal* goal = findGoal(until)) return runToGoal(runner, *goal);
-  const bool number = !until.empty() && until.size() < 9 &&
-                      std::all_of(until.begin(), until.end(),
-                                  [](unsigned char c) { return std::isdigit(c); });
+  const bool number =
+      !until.empty() && until.size() < 9 &&
+      std::all_of(until.begin(), until.end(), [](unsigned char c) { return std::isdigit(c); });
   if (number) return runToFrame(runner, std::stoi(until));
-  return usageError("cannot run to '" + until + "'", "", "known: keyframe, lost, start, or a frame");
+  return usageError("cannot run to '" + until + "'", "",
+                    "known: keyframe, lost, start, or a frame");
 }
 
 Status resetRun(Runner& runner) {

@@ -54,7 +54,9 @@ const Named kValues[] = {
     {"sequence", [](const Now& n) { return ScriptValue(n.runner.info().sequence); }},
     {"events", eventTexts},
     {"tracked",
-     [](const Now& n) { return number(countOf(n, [](const FrameRecord& r) { return r.pose_good; })); }},
+     [](const Now& n) {
+       return number(countOf(n, [](const FrameRecord& r) { return r.pose_good; }));
+     }},
     {"frames_lost", [](const Now& n) {
        return number(
            countOf(n, [](const FrameRecord& r) { return r.state == TrackingState::lost; }));

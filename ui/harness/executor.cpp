@@ -28,7 +28,8 @@ Result<int> toCount(const std::vector<std::string>& words, int otherwise) {
   const Result<double> value = toNumber(words.front());
   if (!value) return value.error();
   const double limit = std::numeric_limits<int>::max();
-  if (value.value() < 0 || value.value() > limit || value.value() != static_cast<int>(value.value()))
+  if (value.value() < 0 || value.value() > limit ||
+      value.value() != static_cast<int>(value.value()))
     return usageError("'" + words.front() + "' is not a count", "", "a whole number, not negative");
   return static_cast<int>(value.value());
 }
@@ -116,7 +117,7 @@ Status Executor::select(const ScriptCommand& c) {
   const Words& words = c.arguments;
   std::vector<double> numbers;
   for (std::size_t i = 1; i < words.size(); ++i) {
-    const Result<double> number = toNumber(words[i]);
+    const Result<double> number = words[i] == "any" ? Result<double>(-1) : toNumber(words[i]);
     if (!number) return number.error();
     numbers.push_back(number.value());
   }

@@ -70,9 +70,9 @@ Status checkExpectation(const std::vector<std::string>& words, const ScriptValue
   if (!actual) return usageError("nothing is called '" + name + "'", "", "");
   const std::optional<bool> result = holds(*actual, op, expected);
   if (!result) {
-    return usageError("'" + op + "' does not compare " + name + " (" + describe(*actual) +
-                          ") with " + expected,
-                      "", "numbers and texts: == != < <= > >=; lists: has, !has");
+    return usageError(
+        "'" + op + "' does not compare " + name + " (" + describe(*actual) + ") with " + expected,
+        "", "numbers and texts: == != < <= > >=; lists: has, !has");
   }
   if (*result) return Done{};
   return Error{ErrorKind::internal,

@@ -22,7 +22,7 @@ constexpr Syntax kSyntax[] = {
     {"back", "[N]", 0, 1, "view N frames earlier (1)"},
     {"goto", "N|live", 1, 1, "view a processed frame, or follow the engine"},
     {"reset", "", 0, 0, "start the run again"},
-    {"select", "feature ID|seed ID|at X Y|none", 1, 3, "X Y are pixels of the image"},
+    {"select", "feature ID|seed ID|at X Y|none", 1, 3, "an ID may be `any`; X Y are image pixels"},
     {"panel", "NAME", 1, -1, "show this panel alone; `panel all` shows the layout again"},
     {"layout", "NAME", 1, -1, "switch to a layout"},
     {"click", "LABEL", 1, -1, "press and release the left button on a widget"},
@@ -50,7 +50,8 @@ const Syntax* findSyntax(const std::string& name) {
 
 std::string knownCommands() {
   std::string names;
-  for (const Syntax& syntax : kSyntax) names += std::string(names.empty() ? "" : ", ") + syntax.name;
+  for (const Syntax& syntax : kSyntax)
+    names += std::string(names.empty() ? "" : ", ") + syntax.name;
   return names;
 }
 

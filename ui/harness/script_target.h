@@ -20,6 +20,7 @@ class ScriptTarget {
   /// Frame in view; -1 if none. `showFrame(-1)` follows the engine.
   virtual int shownFrame() const { return -1; }
   virtual Status showFrame(int index) { return refuse("frame " + std::to_string(index)); }
+  /// Negative: any, chosen the same way every time.
   virtual Status selectFeature(std::int64_t id) { return refuse("feature " + std::to_string(id)); }
   virtual Status selectSeed(std::int64_t id) { return refuse("seed " + std::to_string(id)); }
   virtual Status selectNothing() { return Done{}; }

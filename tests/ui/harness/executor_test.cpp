@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "tests/support/support.h"
-#include "tests/ui/harness/fake_runner.h"
+#include "tests/ui/harness/tiny_runner.h"
 #include "tests/ui/render/render_fixture.h"
 
 namespace svoscope::ui {
@@ -36,8 +36,7 @@ struct DemoContent : UiContent {
     Probe::record("Gain");
     ImGui::InputText("##name", text, sizeof text);
     Probe::record("##name");
-    if (!ImGui::GetIO().WantTextInput)
-      spaces += ImGui::IsKeyPressed(index(Key::space), false);
+    if (!ImGui::GetIO().WantTextInput) spaces += ImGui::IsKeyPressed(index(Key::space), false);
     const ImVec2 lo(20, 120), hi(120, 180);
     ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, IM_COL32(0, 200, 0, 255));
     Probe::record("panel:Green", lo, hi);
@@ -61,7 +60,7 @@ class ExecutorTest : public testing::Test {
   std::unique_ptr<Host> host;
   DemoContent content;
   ScriptTarget target;
-  FakeRunner runner;
+  TinyRunner runner;
   ScriptReport report;
 };
 

@@ -30,8 +30,8 @@ TEST(GlGraphics, GreyImagesOfOddWidthAndStepRoundTripExactly) {
   SVOSCOPE_OSMESA_HOST(host, 64, 48);
   const cv::Mat grey = noise(40, 23, CV_8UC1)(cv::Rect(0, 0, 37, 23));
   ASSERT_EQ(grey.step[0], 40u);
-  const cv::Mat picture =
-      shown(*host, [&] { return host->graphics().image(1, grey, 1, false); }, 37, 23);
+  const cv::Mat picture = shown(
+      *host, [&] { return host->graphics().image(1, grey, 1, false); }, 37, 23);
   for (int y = 0; y < 23; ++y) {
     for (int x = 0; x < 37; ++x) {
       const uchar g = grey.at<uchar>(y, x);
@@ -43,8 +43,8 @@ TEST(GlGraphics, GreyImagesOfOddWidthAndStepRoundTripExactly) {
 TEST(GlGraphics, ColourPartsOfLargerImagesRoundTripExactly) {
   SVOSCOPE_OSMESA_HOST(host, 64, 48);
   const cv::Mat colour = noise(50, 40, CV_8UC3)(cv::Rect(5, 3, 33, 21));
-  const cv::Mat picture =
-      shown(*host, [&] { return host->graphics().image(1, colour, 1, true); }, 33, 21);
+  const cv::Mat picture = shown(
+      *host, [&] { return host->graphics().image(1, colour, 1, true); }, 33, 21);
   EXPECT_EQ(cv::norm(picture, colour, cv::NORM_INF), 0);
 }
 
@@ -52,7 +52,8 @@ TEST(GlGraphics, UploadsAgainForANewVersionSizeOrTypeOnly) {
   SVOSCOPE_OSMESA_HOST(host, 64, 48);
   cv::Mat grey(8, 8, CV_8UC1, cv::Scalar(50));
   const auto level = [&](std::uint64_t version) {
-    return shown(*host, [&] { return host->graphics().image(1, grey, version, false); }, 8, 8)
+    return shown(
+               *host, [&] { return host->graphics().image(1, grey, version, false); }, 8, 8)
         .at<cv::Vec3b>(4, 4)[0];
   };
   EXPECT_EQ(level(1), 50);
@@ -94,8 +95,8 @@ TEST(GlGraphics, PointsLandWhereTheMatrixSays) {
   scene.clip_from_world = perspective();
   for (const auto& p : positions) scene.points.push_back({p, IM_COL32(250, 200, 0, 255)});
   scene.points.push_back({{0, 0, -1}, IM_COL32(255, 0, 255, 255)});  // behind: invisible
-  const cv::Mat picture =
-      shown(*host, [&] { return host->graphics().scene(1, scene, 200, 200); }, 200, 200);
+  const cv::Mat picture = shown(
+      *host, [&] { return host->graphics().scene(1, scene, 200, 200); }, 200, 200);
   cv::Mat lit(200, 200, CV_8UC1);
   for (int i = 0; i < 200 * 200; ++i)
     lit.at<uchar>(i / 200, i % 200) = picture.at<cv::Vec3b>(i / 200, i % 200)[0] > 100;
@@ -116,10 +117,12 @@ TEST(GlGraphics, LinesHaveTheirWidthOnScreenAndAreClippedBehindTheCamera) {
   scene.clip_from_world = perspective();
   const ImU32 white = IM_COL32(255, 255, 255, 255), green = IM_COL32(0, 255, 0, 255);
   // Level line at y = +0.5 (row 150), and one from far ahead to behind the camera, right of it.
-  scene.lines = {{{-0.5f, 0.5f, 1}, white}, {{0.5f, 0.5f, 1}, white},
-                 {{0.3f, 0, 50}, green},    {{0.3f, 0, -1}, green}};
-  const cv::Mat picture =
-      shown(*host, [&] { return host->graphics().scene(1, scene, 200, 200); }, 200, 200);
+  scene.lines = {{{-0.5f, 0.5f, 1}, white},
+                 {{0.5f, 0.5f, 1}, white},
+                 {{0.3f, 0, 50}, green},
+                 {{0.3f, 0, -1}, green}};
+  const cv::Mat picture = shown(
+      *host, [&] { return host->graphics().scene(1, scene, 200, 200); }, 200, 200);
   int sum = 0;
   for (int y = 140; y < 160; ++y) sum += picture.at<cv::Vec3b>(y, 100)[0];
   EXPECT_NEAR(sum / 255.0, 4, 0.3);
@@ -138,7 +141,8 @@ TEST(GlGraphics, NearerPointsHideFartherOnesAndTheCameraMovesWithoutUpload) {
   scene.clip_from_world = perspective();
   scene.points = {{{0, 0, 1}, IM_COL32(255, 0, 0, 255)}, {{0, 0, 3}, IM_COL32(0, 255, 0, 255)}};
   const auto picture = [&] {
-    return shown(*host, [&] { return host->graphics().scene(1, scene, 100, 100); }, 100, 100);
+    return shown(
+        *host, [&] { return host->graphics().scene(1, scene, 100, 100); }, 100, 100);
   };
   EXPECT_EQ(picture().at<cv::Vec3b>(50, 50), cv::Vec3b(255, 0, 0));
   Eigen::Matrix4f shift = Eigen::Matrix4f::Identity();

@@ -94,7 +94,8 @@ TEST(Fonts, HaveTheSymbolsOfThePanelsAtEveryScale) {
     host->frame(content);
     if (!host->takeWarnings().empty()) GTEST_SKIP() << "fonts-dejavu-core is not installed";
     EXPECT_EQ(textFont()->FontSize, std::round(15 * scale));
-    for (ImWchar symbol : {u'σ', u'μ', u'τ', u'ρ', u'→', u'±', u'≤', u'≥', u'×', u'·', u'–', u'…'}) {
+    for (ImWchar symbol :
+         {u'σ', u'μ', u'τ', u'ρ', u'→', u'±', u'≤', u'≥', u'×', u'·', u'–', u'…'}) {
       for (const ImFont* font : {textFont(), monoFont(), titleFont()}) {
         EXPECT_NE(font->FindGlyphNoFallback(symbol), nullptr) << std::hex << symbol;
       }

@@ -33,7 +33,7 @@ inline std::unique_ptr<Host> openHost(SurfaceKind kind, int width, int height, f
 }  // namespace svoscope::ui
 
 /// Declares `host`; skips the test where OSMesa is not installed.
-#define SVOSCOPE_OSMESA_HOST(host, width, height)                                            \
-  const std::unique_ptr<::svoscope::ui::Host> host =                                         \
-      ::svoscope::ui::openHost(::svoscope::ui::SurfaceKind::osmesa, width, height);          \
+#define SVOSCOPE_OSMESA_HOST(host, width, height)                                   \
+  const std::unique_ptr<::svoscope::ui::Host> host =                                \
+      ::svoscope::ui::openHost(::svoscope::ui::SurfaceKind::osmesa, width, height); \
   if (!host) GTEST_SKIP() << "OSMesa is absent: install libosmesa6"

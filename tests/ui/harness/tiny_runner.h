@@ -9,12 +9,12 @@
 
 namespace svoscope::ui {
 
-class FakeRunner : public Runner {
+class TinyRunner : public Runner {
  public:
   static constexpr int kFrames = 20;
   std::string last_set;
 
-  FakeRunner() { info_.frames = kFrames; }
+  TinyRunner() { info_.frames = kFrames; }
   void send(const Command& command) override { commands_.push_back(command); }
   bool pump() override {
     for (const Command& command : commands_) apply(command);
