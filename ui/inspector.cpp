@@ -133,7 +133,7 @@ void Inspector::drawBody(PanelContext& context) {
     if (found != panelTable().end()) found->second(context);
   };
   if (transport_top - top > grid(4)) {
-    drawLayout(state_.layout, {0, top}, {display.x, transport_top - grid(1)}, view);
+    drawLayout(state_.layout, {0, top + grid(0.5f)}, {display.x, transport_top - grid(1)}, view);
   }
   if (view.changed) layoutChanged();
   if (transport > 0) {

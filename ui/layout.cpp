@@ -15,10 +15,10 @@ namespace {
 const char* presetText(const std::string& name) {
   if (name == "Seeds")
     return "Seeds|h 0.60 ( v 0.66 ( [Image] [Plots,Timing,Log] ) "
-           "v 0.50 ( [Selection,Parameters] [3-D,Funnel] ) )";
+           "v 0.62 ( [Selection,Parameters] [3-D,Funnel] ) )";
   if (name == "Evaluation")
     return "Evaluation|h 0.56 ( v 0.60 ( [3-D] [Plots,Timing] ) "
-           "v 0.52 ( [Evaluation] [Image,Log,Selection] ) )";
+           "v 0.58 ( [Evaluation] [Image,Log,Selection] ) )";
   if (name == "Image only") return "Image only|[Image]";
   return "Tracking|h 0.60 ( v 0.66 ( [Image] [Plots,Timing,Evaluation] ) "
          "v 0.50 ( [3-D] [Funnel,Selection,Log,Parameters] ) )";

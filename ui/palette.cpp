@@ -130,6 +130,35 @@ ImU32 stageColor(Stage stage) {
   }
 }
 
+const char* stateLabel(TrackingState state) {
+  switch (state) {
+    case TrackingState::initializing: return "Initializing";
+    case TrackingState::tracking: return "Tracking";
+    case TrackingState::lost: return "Lost";
+  }
+  return "";
+}
+
+const char* stageLabel(Stage stage) {
+  switch (stage) {
+    case Stage::read: return "Read";
+    case Stage::rectify: return "Rectify";
+    case Stage::pyramid: return "Pyramid";
+    case Stage::initialize: return "Two-view start";
+    case Stage::sparse_align: return "Sparse align";
+    case Stage::reproject: return "Reproject";
+    case Stage::pose: return "Pose";
+    case Stage::structure: return "Structure";
+    case Stage::keyframe: return "Keyframe";
+    case Stage::relocalize: return "Relocalize";
+    case Stage::tracking: return "Tracking";
+    case Stage::mapping: return "Mapping";
+    case Stage::snapshot: return "Snapshot";
+    case Stage::count_: break;
+  }
+  return "";
+}
+
 const char* originName(FeatureOrigin origin) {
   switch (origin) {
     case FeatureOrigin::landmark: return "Landmark";

@@ -52,6 +52,9 @@ ImU32 stateColor(TrackingState state);
 ImU32 eventColor(EventKind kind);
 ImU32 stageColor(Stage stage);
 
+const char* stateLabel(TrackingState state);
+/// "Sparse align": the stage's name for people.
+const char* stageLabel(Stage stage);
 const char* methodName(const std::string& method);
 const char* originName(FeatureOrigin origin);
 const char* statusName(FeatureStatus status);

@@ -61,7 +61,7 @@ struct UiState {
   SceneOptions scene;
   LinkedX linked_x;       ///< of all plots over frames
   std::map<std::string, PlotState> plots;
-  std::set<std::string> plot_groups{"Features", "Time", "Error"};
+  std::set<std::string> plot_groups{"Features", "Time"};
   Layout layout = presetLayout("Tracking");
   std::string maximized;  ///< panel title, or empty
   bool show_help = false;

@@ -43,9 +43,9 @@ void FakeRunner::makeRoom() {
     const double u = unit(rng) * 2 - 1, v = unit(rng) * 2 - 1;
     switch (i % 5) {  // far wall twice, side walls, floor
       case 0:
-      case 1: l.position = Vec3(4 * u, 1.6 * v, 6.5); break;
-      case 2: l.position = Vec3(-4, 1.6 * u, 3.5 + 3 * v); break;
-      case 3: l.position = Vec3(4, 1.6 * u, 3.5 + 3 * v); break;
+      case 1: l.position = Vec3(4 * u, 2.6 * v, 6.5); break;
+      case 2: l.position = Vec3(-4, 2.4 * u, 3.5 + 3 * v); break;
+      case 3: l.position = Vec3(4, 2.4 * u, 3.5 + 3 * v); break;
       default: l.position = Vec3(3.8 * u, 1.6, 3.6 + 2.8 * v);
     }
     const double kind = unit(rng);
@@ -211,7 +211,9 @@ void FakeRunner::fillSeeds(Snapshot& s) const {
     v.id = static_cast<std::int64_t>(shared ? 1000 + k : 5000 + static_cast<std::size_t>(i));
     v.keyframe_id = std::max(0, (s.record.index - options_.start) / 9 - 1);
     v.type = room_[k].type;
-    v.updates = std::max(0, (s.record.index * 3 + i * 5) % 40);
+    const int age = s.record.index - options_.start - (i % 20) * 9;
+    if (age < 0 || (!shared && age > 70)) continue;
+    v.updates = std::min(40, age);
     v.failures = i % 5;
     const Vec3 origin = estimate(options_.start).translation();
     const Vec3 ray = room_[k].position - origin;

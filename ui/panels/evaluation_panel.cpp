@@ -21,6 +21,9 @@ void errorRows(const TruthState& s) {
     valueRow("Rotation", format("%.3f° RMSE", s.rpe_rot * 180 / 3.14159265358979));
     valueRow("Pairs", format("%d", s.rpe_pairs));
   }
+}
+
+void alignmentRows(const TruthState& s) {
   heading("Alignment");
   valueRow("Mode", alignModeName(s.mode));
   valueRow("Scale", format("%.4f m per map unit", s.scale));
@@ -76,8 +79,19 @@ void drawEvaluationPanel(PanelContext& c) {
   if (!s.valid) {
     return emptyState("No error yet", format("Needs three poses with ground truth, has %d", s.matched));
   }
-  errorRows(s);
-  runRows(c);
+  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 38;
+  if (wide && ImGui::BeginTable("##columns", 2)) {
+    ImGui::TableNextColumn();
+    errorRows(s);
+    ImGui::TableNextColumn();
+    alignmentRows(s);
+    runRows(c);
+    ImGui::EndTable();
+  } else {
+    errorRows(s);
+    alignmentRows(s);
+    runRows(c);
+  }
   errorPlot(c);
 }
 

@@ -59,9 +59,9 @@ void trackingFunnel(const FrameRecord& r) {
     drawBar(bar, full, before, last ? f.required : 0, last && f.required > 0 && f.inliers < f.required);
     before = bar.count;
   }
-  valueRow("Inliers are", format("%d landmarks, %d seeds", f.inlier_landmarks, f.inlier_seeds));
+  valueRow("Inliers", format("%d landmarks, %d seeds", f.inlier_landmarks, f.inlier_seeds));
   const int corners = std::max(0, f.inliers - f.inlier_edgelets - f.inlier_segments);
-  valueRow("of type", format("%d corners, %d edgelets, %d segments", corners, f.inlier_edgelets, f.inlier_segments));
+  valueRow("Of type", format("%d corners, %d edgelets, %d segments", corners, f.inlier_edgelets, f.inlier_segments));
   valueRow("Required", format("%d inliers", f.required));
   valueRow("Sparse alignment", format("%d patches, RMSE %.1f levels", f.aligned_sparse, r.align_rmse));
   valueRow("Reprojection", format("%.2f px median", r.reprojection_px));
@@ -83,11 +83,11 @@ void drawFunnelPanel(PanelContext& c) {
   const FrameRecord& r = *c.record;
   ImGui::Text("Frame %d", r.index);
   ImGui::SameLine();
-  legendEntry(stateColor(r.state), Swatch::dot, stateName(r.state));
+  legendEntry(stateColor(r.state), Swatch::dot, stateLabel(r.state));
   if (r.state == TrackingState::initializing) startRows(r);
   else trackingFunnel(r);
   heading("Why");
-  valueRow("State", r.reason.empty() ? stateName(r.state) : r.reason,
+  valueRow("State", r.reason.empty() ? stateLabel(r.state) : r.reason,
            r.state == TrackingState::lost ? okabe::orange : 0);
   if (!r.keyframe_reason.empty()) {
     valueRow("Keyframe", (r.is_keyframe ? format("taken as %d, ", r.keyframe_id) : "not taken, ") + r.keyframe_reason);

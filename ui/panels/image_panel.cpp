@@ -151,6 +151,16 @@ void notes(PanelContext& c, const ImageView& view, const Snapshot& s, const cv::
   outlinedText(ImGui::GetWindowDrawList(), {view.lo.x + grid(2), view.lo.y + grid(1)}, ink::text, text.c_str());
 }
 
+// Overlays end at the image's border: beside it there is nothing they could refer to.
+void pushImageClip(const ImageView& view, int width, int height) {
+  const ImVec2 a = view.toScreen({-0.5f, -0.5f});
+  const ImVec2 b = view.toScreen({static_cast<float>(width) - 0.5f, static_cast<float>(height) - 0.5f});
+  ImGui::GetWindowDrawList()->PushClipRect({std::max(a.x, view.lo.x), std::max(a.y, view.lo.y)},
+                                           {std::max(a.x, std::min(b.x, view.hi.x)),
+                                            std::max(a.y, std::min(b.y, view.hi.y))},
+                                           true);
+}
+
 void viewBody(PanelContext& c, const Snapshot& s) {
   const auto& levels = *s.pyramid;
   ImageOptions& o = c.state.image;
@@ -162,10 +172,12 @@ void viewBody(PanelContext& c, const Snapshot& s) {
   const std::uint64_t version = s.sequence_number * 16 + static_cast<std::uint64_t>(o.level);
   const bool smooth = view.zoom < 4;
   drawImage(view, c.graphics.image(kSlot, level, version * 2 + (smooth ? 1 : 0), smooth), width, height);
-  ImGui::GetWindowDrawList()->PushClipRect(view.lo, view.hi, true);
+  pushImageClip(view, width, height);
   if (o.trails) drawTrails(view, c.caches.trails.update(c.runner, s, o.trail_frames), s, o);
   drawSeeds(view, s, o, c.state.selection);
   drawFeatures(view, s, o, c.state.selection);
+  ImGui::GetWindowDrawList()->PopClipRect();
+  ImGui::GetWindowDrawList()->PushClipRect(view.lo, view.hi, true);
   const ColorScale scale = colorScaleOf(s.features, o.color_by);
   if (scale.ramp) colorBar(view, scale);
   else legend(view, s, o);

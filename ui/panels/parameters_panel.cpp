@@ -91,7 +91,12 @@ void row(PanelContext& c, const ParameterView& p, const std::string& short_name)
     Probe::record("Default " + p.key, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
   ImGui::TableNextColumn();
-  if (p.needs_reset) ImGui::TextColored(toVec4(okabe::orange), "needs reset");
+  ImGui::AlignTextToFramePadding();
+  if (p.needs_reset) {
+    ImGui::TextColored(toVec4(okabe::orange), "needs reset");
+    ImGui::SameLine();
+  }
+  ImGui::TextColored(toVec4(ink::faint), "%s", p.meaning.c_str());
   ImGui::PopID();
 }
 
@@ -100,11 +105,11 @@ bool beginGroup(const std::string& group) {
   heading(group.c_str());
   if (!ImGui::BeginTable(("##" + group).c_str(), 5, kFlags)) return false;
   const float em = ImGui::GetFontSize();
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, em * 9);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, em * 6);
-  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, em * 3.5f);
+  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, em * 2.5f);
   ImGui::TableSetupColumn("default", ImGuiTableColumnFlags_WidthFixed, em * 4);
-  ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthFixed, em * 5.5f);
+  ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
 

@@ -77,7 +77,7 @@ void drawPlotsPanel(PanelContext& c) {
   if (charts.empty()) return emptyState("No plot chosen", "Choose quantities with the buttons above");
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
   const float room = ImGui::GetContentRegionAvail().y - spacing * static_cast<float>(charts.size());
-  const float height = std::max(ImGui::GetFontSize() * 6, room / static_cast<float>(charts.size()));
+  const float height = std::max(ImGui::GetFontSize() * 5.5f, room / static_cast<float>(charts.size()));
   for (std::size_t i = 0; i < charts.size(); ++i) {
     PlotSpec spec = specOf(c, *charts[i]);
     spec.size = {0, std::floor(height)};

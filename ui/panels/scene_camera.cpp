@@ -50,9 +50,10 @@ std::optional<ImVec2> SceneCamera::project(const Vec3& world) const {
   return ImVec2{lo.x + (x + 1) / 2 * (hi.x - lo.x), lo.y + (1 - y) / 2 * (hi.y - lo.y)};
 }
 
-void fitScene(SceneOptions& options, const Vec3& center, double radius) {
+void fitScene(SceneOptions& options, const Vec3& center, double radius, double aspect) {
   options.target = center;
-  options.distance = std::max(0.05, radius / std::tan(kHalfAngle) * 1.15);
+  radius /= std::min(1.0, std::max(aspect, 0.2));
+  options.distance = std::max(0.05, radius / std::tan(kHalfAngle) * 0.88);
 }
 
 void topView(SceneOptions& options) {

@@ -22,7 +22,7 @@ struct SceneCamera {
 /// Camera that looks at options.target from options.distance.
 SceneCamera makeSceneCamera(const SceneOptions& options, ImVec2 lo, ImVec2 hi);
 /// Target and distance that show a ball around `center`.
-void fitScene(SceneOptions& options, const Vec3& center, double radius);
+void fitScene(SceneOptions& options, const Vec3& center, double radius, double aspect);
 void topView(SceneOptions& options);
 
 }  // namespace svoscope::ui

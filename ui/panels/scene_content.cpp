@@ -78,7 +78,13 @@ void SceneContent::measure(const SceneInput& input) {
   for (const FrameRecord& r : *input.records) {
     if (r.pose_good) add(r.T_world_cam.translation());
   }
-  if (x.empty()) return;
+  if (x.empty()) {  // before the start: a room of one map unit around the camera
+    center_ = input.snapshot->record.T_world_cam.translation();
+    radius_ = 1;
+    floor_ = center_.y() + 0.5;
+    cell_ = 0.2;
+    return;
+  }
   Vec3 lo, hi;  // a few wild points must not shrink the rest to a dot
   lo << quantile(x, 0.03), quantile(y, 0.03), quantile(z, 0.03);
   hi << quantile(x, 0.97), quantile(y, 0.97), quantile(z, 0.97);

@@ -32,7 +32,7 @@ void toolbar(PanelContext& c) {
   }
   sameLineIfFits(buttonWidth("Fit"));
   if (button("Fit", {"Show the whole map"})) {
-    fitScene(o, c.caches.scene.center(), c.caches.scene.radius());
+    o.fitted = false;  // fitted below, where the panel's size is known
     o.follow = false;
   }
   sameLineIfFits(buttonWidth("Top"));
@@ -70,13 +70,13 @@ void navigate(SceneOptions& o, const SceneCamera& camera, bool hovered, bool act
 }
 
 // The map grows after the first look: fit again until the user moves the view.
-void fitWhileUntouched(PanelContext& c) {
+void fitWhileUntouched(PanelContext& c, double aspect) {
   SceneOptions& o = c.state.scene;
   const int points = c.snapshot->points ? static_cast<int>(c.snapshot->points->size()) : 0;
   if (o.follow && c.record && c.record->pose_good) {
     o.target = c.record->T_world_cam.translation();
   } else if (!o.fitted) {
-    fitScene(o, c.caches.scene.center(), c.caches.scene.radius());
+    fitScene(o, c.caches.scene.center(), c.caches.scene.radius(), aspect);
     o.fitted_points = points;
   }
 }
@@ -163,7 +163,11 @@ void labels(PanelContext& c, const SceneCamera& camera) {
     entry(Swatch::dashed, ink::ground_truth, format("Ground truth, %s", alignModeName(truth.mode)));
   }
   if (o.points && c.snapshot->points) {
-    entry(Swatch::dot, okabe::green, format("%d points", static_cast<int>(c.snapshot->points->size())));
+    const bool kind = o.color_by == PointColor::kind;
+    entry(Swatch::dot, kind ? okabe::green : ink::dim,
+          format("%d points%s", static_cast<int>(c.snapshot->points->size()), kind ? ", corners" : ""));
+    if (kind) entry(Swatch::dot, okabe::purple, "edgelets");
+    if (kind) entry(Swatch::dot, okabe::orange, "segments");
   }
   if (o.points && o.color_by != PointColor::kind) {
     const auto [lo, hi] = scene.colorRange();
@@ -189,10 +193,10 @@ void drawScenePanel(PanelContext& c) {
   SceneContent& content = c.caches.scene;
   content.update({c.snapshot.get(), &c.caches.run.records(), &c.caches.truth.state(), &c.info,
                   &c.state.scene, c.caches.run.generation()});
-  fitWhileUntouched(c);
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const ImVec2 room{std::max(avail.x, 4.0f), std::max(avail.y, 4.0f)};
   const ImVec2 lo = ImGui::GetCursorScreenPos(), hi{lo.x + room.x, lo.y + room.y};
+  fitWhileUntouched(c, room.x / room.y);
   ImGui::InvisibleButton("##scene", room,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);

@@ -26,7 +26,7 @@ void gap() {
 
 void stateParts(const PanelContext& c) {
   if (!c.record) return part("Waiting for the first frame");
-  legendEntry(stateColor(c.record->state), Swatch::dot, stateName(c.record->state));
+  legendEntry(stateColor(c.record->state), Swatch::dot, stateLabel(c.record->state));
   if (!c.record->reason.empty() && c.record->reason != stateName(c.record->state)) {
     gap();
     part(c.record->reason, c.record->state == TrackingState::lost ? okabe::orange : ink::dim);

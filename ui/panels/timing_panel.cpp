@@ -27,11 +27,11 @@ double partsSum(const FrameRecord& r) {
 
 void barRow(Stage stage, double ms, double full, bool whole) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float h = ImGui::GetTextLineHeight(), name = ImGui::GetFontSize() * 6.5f;
+  const float h = ImGui::GetTextLineHeight(), name = ImGui::GetFontSize() * 7.5f;
   const float value = ImGui::GetFontSize() * 4;
   const float room = std::max(8.0f, ImGui::GetContentRegionAvail().x - name - value);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddText(at, whole ? ink::text : ink::dim, stageName(stage));
+  list->AddText(at, whole ? ink::text : ink::dim, stageLabel(stage));
   const auto length = static_cast<float>(std::clamp(ms / std::max(full, 1e-6), 0.0, 1.0)) * room;
   list->AddRectFilled({at.x + name, at.y + grid(0.5f)}, {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
                       whole ? IM_COL32(104, 116, 132, 255) : stageColor(stage), dp(1));
@@ -41,7 +41,7 @@ void barRow(Stage stage, double ms, double full, bool whole) {
 }
 
 void budgetMark(ImVec2 from, float bottom, double full, double budget) {
-  const float name = ImGui::GetFontSize() * 6.5f;
+  const float name = ImGui::GetFontSize() * 7.5f;
   const float room = std::max(8.0f, ImGui::GetContentRegionAvail().x - name - ImGui::GetFontSize() * 4);
   if (budget <= 0 || budget > full) return;
   const float x = from.x + name + static_cast<float>(budget / full) * room;
@@ -67,51 +67,71 @@ void frameBars(PanelContext& c, double budget) {
   if (c.status.mapping_queue > 0) valueRow("Mapping queue", format("%d jobs", c.status.mapping_queue));
 }
 
-// Stacked strip over frames: the slowest frame of each pixel column.
+// The slowest frame of each column, so that no outlier is lost when frames outnumber pixels.
+struct Strip {
+  ImVec2 lo, hi;
+  std::vector<const FrameRecord*> slowest;
+  double full = 1;
+  float width() const { return (hi.x - lo.x) / static_cast<float>(slowest.size()); }
+};
+
+Strip makeStrip(const std::vector<FrameRecord>& records, ImVec2 lo, ImVec2 hi, double budget) {
+  Strip s{lo, hi, {}, std::max(budget * 1.2, 1e-3)};
+  const auto room = static_cast<std::size_t>(std::max(1.0f, (hi.x - lo.x) / dp(2)));
+  const std::size_t columns = std::clamp<std::size_t>(records.size(), 1, room);
+  s.slowest.assign(columns, nullptr);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    auto& slot = s.slowest[i * columns / records.size()];
+    const double sum = partsSum(records[i]);
+    if (!slot || sum > partsSum(*slot)) slot = &records[i];
+    s.full = std::max(s.full, budget > 0 ? std::min(sum, budget * 3) : sum);
+  }
+  return s;
+}
+
+void drawColumns(const Strip& s, int viewed) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float width = s.width();
+  for (std::size_t k = 0; k < s.slowest.size(); ++k) {
+    const FrameRecord* r = s.slowest[k];
+    if (!r) continue;
+    float y = s.hi.y;
+    const float x = s.lo.x + static_cast<float>(k) * width;
+    for (const Stage stage : kParts) {
+      const auto h = static_cast<float>(r->ms(stage) / s.full) * (s.hi.y - s.lo.y);
+      const float top = std::max(s.lo.y, y - h);
+      if (h > 0.2f) list->AddRectFilled({x, top}, {x + width, y}, stageColor(stage));
+      y = top;
+    }
+    const bool next_is_later = k + 1 == s.slowest.size() || !s.slowest[k + 1] || s.slowest[k + 1]->index > viewed;
+    if (r->index <= viewed && next_is_later) {
+      const float c = std::round(x + width / 2);
+      list->AddLine({c, s.lo.y}, {c, s.hi.y}, ink::cursor, dp(1));
+    }
+  }
+}
+
 void stackedStrip(PanelContext& c, double budget) {
   const ImVec2 lo = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 hi{lo.x + std::max(8.0f, room.x), lo.y + std::max(grid(12), room.y - grid(1))};
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(lo, hi, ink::canvas);
-  ImGui::InvisibleButton("##strip", {hi.x - lo.x, hi.y - lo.y});
+  const bool clicked = ImGui::InvisibleButton("##strip", {hi.x - lo.x, hi.y - lo.y});
   Probe::record("timing:strip", lo, hi);
-  const auto& records = c.caches.run.records();
-  const int columns = std::max(1, static_cast<int>((hi.x - lo.x) / dp(2)));
-  const int frames = std::max(1, static_cast<int>(records.size()));
-  std::vector<const FrameRecord*> slowest(static_cast<std::size_t>(columns), nullptr);
-  double full = budget * 1.2;
-  for (int i = 0; i < frames; ++i) {
-    const FrameRecord& r = records[static_cast<std::size_t>(i)];
-    auto& slot = slowest[static_cast<std::size_t>(static_cast<long>(i) * columns / std::max(frames, columns))];
-    if (!slot || partsSum(r) > partsSum(*slot)) slot = &r;
-    full = std::max(full, std::min(partsSum(r), budget > 0 ? budget * 3 : 1e9));
-  }
-  const float width = (hi.x - lo.x) / static_cast<float>(std::min(columns, std::max(frames, columns)));
-  for (int k = 0; k < columns; ++k) {
-    const FrameRecord* r = slowest[static_cast<std::size_t>(k)];
-    if (!r) continue;
-    float y = hi.y;
-    const float x = lo.x + static_cast<float>(k) * width;
-    for (const Stage s : kParts) {
-      const auto h = static_cast<float>(r->ms(s) / std::max(full, 1e-6)) * (hi.y - lo.y);
-      const float top = std::max(lo.y, y - h);
-      if (h > 0.2f) list->AddRectFilled({x, top}, {x + width, y}, stageColor(s));
-      y = top;
-    }
-  }
-  if (budget > 0 && budget < full) {
-    const float y = std::round(hi.y - static_cast<float>(budget / full) * (hi.y - lo.y));
-    dashedLine(list, {{lo.x, y}, {hi.x, y}}, ink::text, dp(1), dp(4), dp(4));
+  const Strip s = makeStrip(c.caches.run.records(), lo, hi, budget);
+  drawColumns(s, c.viewedFrame());
+  if (budget > 0 && budget < s.full) {
+    const float y = std::round(hi.y - static_cast<float>(budget / s.full) * (hi.y - lo.y));
+    dashedLine(list, {{lo.x, y}, {hi.x, y}}, withAlpha(ink::text, 0.7f), dp(1), dp(4), dp(4));
     const std::string text = format("%.0f ms", budget);
     outlinedText(list, {lo.x + grid(1), y - ImGui::GetTextLineHeight()}, ink::text, text.c_str());
   }
-  if (!ImGui::IsItemHovered()) return;
-  const int k = static_cast<int>((ImGui::GetIO().MousePos.x - lo.x) / width);
-  if (k < 0 || k >= columns || !slowest[static_cast<std::size_t>(k)]) return;
-  const FrameRecord& r = *slowest[static_cast<std::size_t>(k)];
-  ImGui::SetTooltip("Frame %d  %.1f ms", r.index, partsSum(r));
-  if (ImGui::IsMouseReleased(0)) c.view(r.index);
+  if (!ImGui::IsItemHovered() && !clicked) return;
+  const auto k = static_cast<std::size_t>(std::max(0.0f, (ImGui::GetIO().MousePos.x - lo.x) / s.width()));
+  if (k >= s.slowest.size() || !s.slowest[k]) return;
+  ImGui::SetTooltip("Frame %d  %.1f ms", s.slowest[k]->index, partsSum(*s.slowest[k]));
+  if (clicked) c.view(s.slowest[k]->index);
 }
 
 }  // namespace
@@ -123,9 +143,9 @@ void drawTimingPanel(PanelContext& c) {
   heading("Tracking time over frames");
   bool first = true;
   for (const Stage s : kParts) {
-    if (!first) sameLineIfFits(legendWidth(stageName(s)) + grid(2));
+    if (!first) sameLineIfFits(legendWidth(stageLabel(s)) + grid(2));
     first = false;
-    legendEntry(stageColor(s), Swatch::line, stageName(s));
+    legendEntry(stageColor(s), Swatch::line, stageLabel(s));
   }
   stackedStrip(c, budget);
 }

@@ -50,6 +50,8 @@ void fitY(const PlotSpec& spec, PlotState& state, const Range& window) {
   for (const PlotSeries& s : spec.series) {
     if (!visible(s, state)) continue;
     extend(all, *s.x, *s.y, window, state.log_y);
+    if (s.band_lo && s.band_lo->size() == s.x->size()) extend(all, *s.x, *s.band_lo, window, state.log_y);
+    if (s.band_hi && s.band_hi->size() == s.x->size()) extend(all, *s.x, *s.band_hi, window, state.log_y);
   }
   if (all.lo <= all.hi) {
     for (const PlotLevel& level : spec.levels) {
@@ -63,7 +65,7 @@ void fitY(const PlotSpec& spec, PlotState& state, const Range& window) {
 }
 
 std::vector<double> yTicks(const Frame& f) {
-  const int count = std::max(2, static_cast<int>((f.hi.y - f.lo.y) / (ImGui::GetFontSize() * 2)));
+  const int count = std::max(2, static_cast<int>((f.hi.y - f.lo.y) / (ImGui::GetFontSize() * 1.7f)));
   return f.y.log ? logTicks(f.y.data, count) : linearTicks(f.y.data, count);
 }
 
@@ -97,6 +99,9 @@ void drawAxes(const Frame& f, const PlotSpec& spec) {
 
 void drawBand(const Frame& f, const PlotSeries& s) {
   if (!s.band_lo || !s.band_hi || s.band_lo->size() != s.x->size()) return;
+  // Neighbouring pieces must not fade at their common edge.
+  const ImDrawListFlags before = f.list->Flags;
+  f.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;
   for (std::size_t i = 1; i < s.x->size(); ++i) {
     const float a0 = (*s.band_lo)[i - 1], a1 = (*s.band_lo)[i];
     const float b0 = (*s.band_hi)[i - 1], b1 = (*s.band_hi)[i];
@@ -106,6 +111,7 @@ void drawBand(const Frame& f, const PlotSeries& s) {
     f.list->AddQuadFilled({x0, f.y.toPixel(b0)}, {x1, f.y.toPixel(b1)}, {x1, f.y.toPixel(a1)},
                           {x0, f.y.toPixel(a0)}, withAlpha(s.color, 0.22f));
   }
+  f.list->Flags = before;
 }
 
 void drawSeries(const Frame& f, const PlotSpec& spec, const PlotState& state) {
