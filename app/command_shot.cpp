@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: MIT
 // svoscope shot: drives the inspector without a display and writes pictures.
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 
 #include "app/command.h"
+#include "app/run_settings.h"
+#include "ui/application.h"
 
 namespace svoscope {
 
 namespace {
 
 struct Arguments {
-  std::string sequence, script, out;
-  std::string size = "1600x900";
+  RunSettings run;
+  std::string script, out;
+  std::string size = "1600x1000";
   double scale = 1;
 };
 
-int runShot(const Arguments& arguments) {
-  return reportError({ErrorKind::internal, "this build has no inspector", arguments.sequence,
-                      "use: svoscope run SEQUENCE --out DIR"});
+int runShot(const Arguments& a) {
+  // Scripts name frames and seeds: only the synchronous engine gives the same ones every time.
+  RunnerOptions options;
+  options.threaded = false;
+  auto runner = a.run.open(options);
+  if (!runner.ok()) return reportError(runner.error());
+  ui::InspectorOptions inspector;
+  inspector.runner = std::move(runner).value();
+  inspector.surface = ui::SurfaceKind::osmesa;
+  std::sscanf(a.size.c_str(), "%dx%d", &inspector.width, &inspector.height);
+  inspector.scale = static_cast<float>(a.scale);
+  inspector.script = a.script;
+  inspector.out = a.out;
+  return ui::runInspector(inspector);
 }
 
 /// "WxH" with sides a surface can have.
@@ -26,28 +41,27 @@ std::string checkSize(const std::string& text) {
   char rest = 0;
   const int read = std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest);
   const bool good = read == 2 && width >= 64 && height >= 64 && width <= 16384 && height <= 16384;
-  return good ? "" : "'" + text + "' is not a size such as 1600x900";
+  return good ? "" : "'" + text + "' is not a size such as 1600x1000";
 }
 
 }  // namespace
 
 void addShotCommand(CLI::App& app, Action& action) {
-  const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("shot", "Drive the inspector by a script without a display, write PNGs");
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("shot", "Drive the inspector by a script without a display, write PNGs");
   command->footer(
       "Example:\n"
-      "  svoscope shot synthetic:room --script tour.script --out pictures --size 1920x1080");
-  command->add_option("SEQUENCE", arguments->sequence, "Sequence to inspect")->required();
-  command->add_option("--script", arguments->script, "Script of actions")->required();
-  command->add_option("--out", arguments->out, "Folder of the pictures")->required();
-  command->add_option("--size", arguments->size, "Size in pixels, WxH")
+      "  svoscope shot synthetic:room --script tour.script --out pictures --size 1920x1080\n"
+      "\n"
+      "The script language is described in docs/scripts.md.");
+  a->run.addTo(*command);
+  command->add_option("--script", a->script, "Script of actions")->required()->type_name("FILE");
+  command->add_option("--out", a->out, "Folder of the pictures")->required()->type_name("DIR");
+  command->add_option("--size", a->size, "Size in pixels, WxH")
       ->check(CLI::Validator(checkSize, "WxH"))
       ->capture_default_str();
-  command->add_option("--scale", arguments->scale, "Scale of text and widgets")
-      ->check(CLI::Range(0.5, 4.0))
-      ->capture_default_str();
-  command->callback([arguments, &action] { action = [arguments] { return runShot(*arguments); }; });
+  command->add_option("--scale", a->scale, "Scale of text and widgets")->check(CLI::Range(0.5, 4.0))->capture_default_str();
+  command->callback([a, &action] { action = [a] { return runShot(*a); }; });
 }
 
 }  // namespace svoscope

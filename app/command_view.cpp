@@ -1,38 +1,68 @@
 // SPDX-License-Identifier: MIT
-// svoscope view: the inspector.
+// svoscope view: the inspector, in a window or rendered to files.
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 
 #include "app/command.h"
+#include "app/run_settings.h"
+#include "app/tour.h"
+#include "ui/application.h"
 
 namespace svoscope {
 
 namespace {
 
 struct Arguments {
-  std::string sequence;
-  std::string method = "it-svo";
-  bool headless = false;
+  RunSettings run;
+  bool headless = false, paused = false, sync = false;
+  std::string out;
+  double scale = 1;
 };
 
-int runView(const Arguments& arguments) {
-  return reportError({ErrorKind::internal, "this build has no inspector", arguments.sequence,
-                      "use: svoscope run SEQUENCE --out DIR"});
+/// In a window the sequence plays at its own rate; rendered to files it is stepped by the tour.
+int runView(const Arguments& a) {
+  RunnerOptions options;
+  options.threaded = !a.headless && !a.sync;
+  auto runner = a.run.open(options);
+  if (!runner.ok()) return reportError(runner.error());
+  ui::InspectorOptions inspector;
+  inspector.scale = static_cast<float>(a.scale);
+  inspector.out = a.out.empty() ? "." : a.out;
+  if (a.headless) {
+    inspector.surface = ui::SurfaceKind::osmesa;
+    inspector.out = a.out.empty() ? "svoscope-screens" : a.out;
+    auto script = writeTour(inspector.out, runner.value()->info());
+    if (!script.ok()) return reportError(script.error());
+    inspector.script = script.value();
+  } else {
+    const double rate = runner.value()->info().rate_hz;
+    runner.value()->send({Command::Kind::set_speed, -1, "", std::to_string(rate > 0 ? rate : 30.0)});
+    runner.value()->send({a.paused ? Command::Kind::step : Command::Kind::play, -1, "", ""});
+  }
+  inspector.runner = std::move(runner).value();
+  const int code = ui::runInspector(inspector);
+  if (a.headless && code == kExitDone) std::printf("screens are in %s\n", inspector.out.c_str());
+  return code;
 }
 
 }  // namespace
 
 void addViewCommand(CLI::App& app, Action& action) {
-  const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("view", "Open the inspector (the default when a sequence is given)");
-  command->footer("Examples:\n  svoscope synthetic:room\n  svoscope view SEQUENCE --method svo");
-  command->add_option("SEQUENCE", arguments->sequence, "Sequence to inspect")->required();
-  command->add_option("--method", arguments->method, "Odometry method")
-      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
-      ->capture_default_str();
-  command->add_flag("--headless", arguments->headless, "No window: render to pictures");
-  command->callback([arguments, &action] { action = [arguments] { return runView(*arguments); }; });
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("view", "Open the inspector (the default when a sequence is given)");
+  command->footer(
+      "Examples:\n"
+      "  svoscope synthetic:room\n"
+      "  svoscope view SEQUENCE --paused\n"
+      "  svoscope view SEQUENCE --headless --out screens");
+  a->run.addTo(*command);
+  command->add_flag("--headless", a->headless, "No window: render the main screens to PNG files");
+  command->add_option("--out", a->out, "Folder of screenshots [., headless: svoscope-screens]")->type_name("DIR");
+  command->add_flag("--paused", a->paused, "Show the first frame and wait");
+  command->add_flag("--sync", a->sync, "Engine without threads: the same result every time");
+  command->add_option("--scale", a->scale, "Scale of text and widgets")->check(CLI::Range(0.5, 4.0))->capture_default_str();
+  command->callback([a, &action] { action = [a] { return runView(*a); }; });
 }
 
 }  // namespace svoscope
