@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "ui/harness/engine_values.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace svoscope::ui {
+namespace {
+
+struct Now {
+  const Runner& runner;
+  FrameRecord record;  // of the frame in view; index -1 if none
+};
+
+struct Named {
+  const char* name;
+  ScriptValue (*value)(const Now&);
+};
+
+ScriptValue number(double value) { return value; }
+
+ScriptValue eventTexts(const Now& now) {
+  std::vector<std::string> texts;
+  for (const Event& event : now.runner.events(0)) texts.push_back(event.text);
+  return texts;
+}
+
+int countOf(const Now& now, bool (*which)(const FrameRecord&)) {
+  const std::vector<FrameRecord> records = now.runner.records(0);
+  return static_cast<int>(std::count_if(records.begin(), records.end(), which));
+}
+
+const Named kValues[] = {
+    {"frame", [](const Now& n) { return number(n.record.index); }},
+    {"state", [](const Now& n) { return ScriptValue(std::string(stateName(n.record.state))); }},
+    {"reason", [](const Now& n) { return ScriptValue(n.record.reason); }},
+    {"pose_good", [](const Now& n) { return number(n.record.pose_good); }},
+    {"is_keyframe", [](const Now& n) { return number(n.record.is_keyframe); }},
+    {"candidates", [](const Now& n) { return number(n.record.funnel.candidates); }},
+    {"projected", [](const Now& n) { return number(n.record.funnel.projected); }},
+    {"matched", [](const Now& n) { return number(n.record.funnel.matched); }},
+    {"inliers", [](const Now& n) { return number(n.record.funnel.inliers); }},
+    {"required", [](const Now& n) { return number(n.record.funnel.required); }},
+    {"reprojection_px", [](const Now& n) { return number(n.record.reprojection_px); }},
+    {"landmarks", [](const Now& n) { return number(n.record.landmarks); }},
+    {"seeds", [](const Now& n) { return number(n.record.seeds); }},
+    {"seeds_converged", [](const Now& n) { return number(n.record.seeds_converged); }},
+    {"keyframes", [](const Now& n) { return number(n.record.keyframes); }},
+    {"next_frame", [](const Now& n) { return number(n.runner.status().next_frame); }},
+    {"playing", [](const Now& n) { return number(n.runner.status().playing); }},
+    {"finished", [](const Now& n) { return number(n.runner.status().finished); }},
+    {"frames", [](const Now& n) { return number(n.runner.info().frames); }},
+    {"method", [](const Now& n) { return ScriptValue(n.runner.info().method); }},
+    {"sequence", [](const Now& n) { return ScriptValue(n.runner.info().sequence); }},
+    {"events", eventTexts},
+    {"tracked",
+     [](const Now& n) { return number(countOf(n, [](const FrameRecord& r) { return r.pose_good; })); }},
+    {"frames_lost", [](const Now& n) {
+       return number(
+           countOf(n, [](const FrameRecord& r) { return r.state == TrackingState::lost; }));
+     }}};
+
+FrameRecord recordOf(const Runner& runner, int frame) {
+  const std::vector<FrameRecord> records = runner.records(0);
+  const auto found = std::find_if(records.rbegin(), records.rend(),
+                                  [&](const FrameRecord& r) { return r.index == frame; });
+  return found == records.rend() ? FrameRecord() : *found;
+}
+
+}  // namespace
+
+std::optional<ScriptValue> engineValue(const Runner& runner, int frame, const std::string& name) {
+  for (const Named& known : kValues) {
+    if (name == known.name) return known.value({runner, recordOf(runner, frame)});
+  }
+  return std::nullopt;
+}
+
+std::string engineValueNames() {
+  std::string names;
+  for (const Named& known : kValues) names += std::string(known.name) + ", ";
+  return names + "labels, width, height";
+}
+
+}  // namespace svoscope::ui

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "ui/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace svoscope::ui {
+
+namespace {
+
+struct Rgb {
+  float r, g, b;
+};
+
+// Control points of the published colour maps, equally spaced; linear in between.
+constexpr std::array<Rgb, 9> kViridis = {{{68, 1, 84},
+                                          {71, 44, 122},
+                                          {59, 81, 139},
+                                          {44, 113, 142},
+                                          {33, 144, 141},
+                                          {39, 173, 129},
+                                          {92, 200, 99},
+                                          {170, 220, 50},
+                                          {253, 231, 37}}};
+constexpr std::array<Rgb, 10> kCividis = {{{0, 34, 78},
+                                           {18, 53, 112},
+                                           {59, 73, 108},
+                                           {87, 93, 109},
+                                           {112, 113, 115},
+                                           {138, 134, 120},
+                                           {165, 156, 116},
+                                           {195, 179, 105},
+                                           {225, 204, 85},
+                                           {254, 232, 56}}};
+
+template <std::size_t N>
+ImU32 ramp(const std::array<Rgb, N>& table, float t) {
+  if (std::isnan(t)) return okabe::grey;
+  const float s = std::clamp(t, 0.0f, 1.0f) * (N - 1);
+  const auto i = std::min(static_cast<std::size_t>(s), N - 2);
+  const float f = s - static_cast<float>(i);
+  const auto mix = [f](float a, float b) { return static_cast<int>(a + f * (b - a) + 0.5f); };
+  const Rgb &a = table[i], &b = table[i + 1];
+  return IM_COL32(mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255);
+}
+
+}  // namespace
+
+ImU32 withAlpha(ImU32 color, float alpha) {
+  const auto a = static_cast<ImU32>(std::clamp(alpha, 0.0f, 1.0f) * 255.0f + 0.5f);
+  return (color & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
+}
+
+ImVec4 toVec4(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
+
+ImU32 methodColor(const std::string& method) {
+  if (method == "svo") return okabe::orange;
+  if (method == "pl-svo") return okabe::purple;
+  return okabe::sky;
+}
+
+const char* methodName(const std::string& method) {
+  if (method == "svo") return "SVO";
+  if (method == "pl-svo") return "PL-SVO";
+  if (method == "it-svo") return "IT-SVO";
+  return method.c_str();
+}
+
+ImU32 originColor(FeatureOrigin origin) {
+  switch (origin) {
+    case FeatureOrigin::landmark: return okabe::green;
+    case FeatureOrigin::converged_seed: return okabe::sky;
+    case FeatureOrigin::unconverged_seed: return okabe::orange;
+    case FeatureOrigin::track: return okabe::yellow;
+  }
+  return okabe::grey;
+}
+
+ImU32 featureColor(const FeatureView& feature) {
+  if (feature.status == FeatureStatus::outlier) return okabe::vermillion;
+  if (feature.status == FeatureStatus::not_aligned) return okabe::grey;
+  return originColor(feature.origin);
+}
+
+ImU32 seedColor(const SeedView& seed) {
+  switch (seed.status) {
+    case SeedStatus::active: return okabe::orange;
+    case SeedStatus::converged: return okabe::sky;
+    case SeedStatus::promoted: return okabe::green;
+    case SeedStatus::rejected: return okabe::vermillion;
+  }
+  return okabe::grey;
+}
+
+ImU32 stateColor(TrackingState state) {
+  switch (state) {
+    case TrackingState::initializing: return okabe::yellow;
+    case TrackingState::tracking: return okabe::green;
+    case TrackingState::lost: return okabe::vermillion;
+  }
+  return okabe::grey;
+}
+
+ImU32 eventColor(EventKind kind) {
+  switch (kind) {
+    case EventKind::initialized: return okabe::yellow;
+    case EventKind::keyframe: return okabe::sky;
+    case EventKind::lost: return okabe::vermillion;
+    case EventKind::error: return okabe::vermillion;
+    case EventKind::relocalized: return okabe::green;
+    case EventKind::warning: return okabe::orange;
+    default: return okabe::grey;
+  }
+}
+
+ImU32 stageColor(Stage stage) {
+  switch (stage) {
+    case Stage::pyramid: return okabe::grey;
+    case Stage::initialize: return okabe::yellow;
+    case Stage::sparse_align: return okabe::sky;
+    case Stage::reproject: return okabe::green;
+    case Stage::pose: return okabe::orange;
+    case Stage::structure: return okabe::purple;
+    case Stage::keyframe: return okabe::blue;
+    case Stage::relocalize: return okabe::vermillion;
+    case Stage::mapping: return IM_COL32(150, 134, 190, 255);
+    case Stage::snapshot: return IM_COL32(112, 118, 128, 255);
+    default: return IM_COL32(90, 96, 106, 255);
+  }
+}
+
+const char* originName(FeatureOrigin origin) {
+  switch (origin) {
+    case FeatureOrigin::landmark: return "Landmark";
+    case FeatureOrigin::converged_seed: return "Converged seed";
+    case FeatureOrigin::unconverged_seed: return "Unconverged seed";
+    case FeatureOrigin::track: return "Start track";
+  }
+  return "";
+}
+
+const char* statusName(FeatureStatus status) {
+  switch (status) {
+    case FeatureStatus::inlier: return "Inlier";
+    case FeatureStatus::outlier: return "Outlier";
+    case FeatureStatus::not_aligned: return "Not aligned";
+  }
+  return "";
+}
+
+const char* featureTypeName(FeatureType type) {
+  switch (type) {
+    case FeatureType::corner: return "Corner";
+    case FeatureType::edgelet: return "Edgelet";
+    case FeatureType::segment: return "Segment";
+  }
+  return "";
+}
+
+const char* eventName(EventKind kind) {
+  switch (kind) {
+    case EventKind::info: return "Info";
+    case EventKind::initialized: return "Initialized";
+    case EventKind::keyframe: return "Keyframe";
+    case EventKind::lost: return "Lost";
+    case EventKind::relocalized: return "Relocalized";
+    case EventKind::warning: return "Warning";
+    case EventKind::reset: return "Reset";
+    case EventKind::finished: return "Finished";
+    case EventKind::error: return "Error";
+  }
+  return "";
+}
+
+ImU32 viridis(float t) { return ramp(kViridis, t); }
+ImU32 cividis(float t) { return ramp(kCividis, t); }
+
+}  // namespace svoscope::ui

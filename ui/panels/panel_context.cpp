@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "ui/panels/panel_context.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "ui/widgets/controls.h"
+
+namespace svoscope::ui {
+
+bool saysWhyEmpty(const PanelContext& context) {
+  if (context.snapshot) return false;
+  if (!context.latest) {
+    emptyState("No frame yet", "Press Space to play, or the right arrow key to process one frame");
+  } else {
+    emptyState(format("Frame %d is no longer held", context.viewedFrame()).c_str(),
+               format("The history budget keeps frames from %d on; its numbers remain in the plots",
+                      context.status.history_first));
+  }
+  return true;
+}
+
+std::string runName(const RunInfo& info) {
+  std::string name = info.sequence + "_" + info.method;
+  for (char& c : name) {
+    if (c == '/' || c == ':' || c == ' ' || c == '\\') c = '-';
+  }
+  return name;
+}
+
+void exportText(PanelContext& context, const std::string& name, const std::string& text) {
+  const std::filesystem::path path =
+      std::filesystem::path(context.state.output_folder) / (runName(context.info) + "_" + name);
+  std::ofstream out(path);
+  out << text;
+  out.close();
+  if (out) context.state.toasts.add("Wrote " + path.string());
+  else context.state.toasts.add("Cannot write " + path.string() + ", check the folder", true);
+}
+
+}  // namespace svoscope::ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What a panel sees: one snapshot for the whole UI frame, the run so far, and the user's state.
+#pragma once
+
+#include "engine/runner/runner.h"
+#include "ui/panels/run_cache.h"
+#include "ui/panels/scene_content.h"
+#include "ui/panels/selection_history.h"
+#include "ui/panels/trails.h"
+#include "ui/panels/truth.h"
+#include "ui/render/graphics.h"
+#include "ui/ui_state.h"
+
+namespace svoscope::ui {
+
+/// Derived data that lives longer than one UI frame.
+struct PanelCaches {
+  RunCache run;
+  Truth truth;
+  SelectionHistory selection;
+  Trails trails;
+  SceneContent scene;
+};
+
+struct PanelContext {
+  Runner& runner;
+  Graphics& graphics;
+  UiState& state;
+  PanelCaches& caches;
+  const RunInfo& info;
+  RunnerStatus status;
+  SnapshotPtr latest;                   ///< null before the first frame
+  SnapshotPtr snapshot;                 ///< of the viewed frame; null if none or no longer held
+  const FrameRecord* record = nullptr;  ///< of the viewed frame; null before the first
+  std::string size_text;                ///< for the status bar: what renders
+
+  bool live() const { return state.viewed_frame < 0; }
+  int engineFrame() const { return latest ? latest->record.index : -1; }
+  int viewedFrame() const { return live() ? engineFrame() : state.viewed_frame; }
+  /// Shows a frame; the newest one means live.
+  void view(int frame) const {
+    state.viewed_frame = frame < 0 || frame >= engineFrame() ? -1 : frame;
+  }
+  void send(Command::Kind kind, int frame = -1) const {
+    Command command;
+    command.kind = kind;
+    command.frame = frame;
+    state.viewed_frame = -1;  // whoever moves the engine wants to see it
+    runner.send(command);
+  }
+};
+
+// One function per panel, each in its own file.
+void drawTransportPanel(PanelContext& context);
+void drawImagePanel(PanelContext& context);
+void drawScenePanel(PanelContext& context);
+void drawSelectionPanel(PanelContext& context);
+void drawPlotsPanel(PanelContext& context);
+void drawTimingPanel(PanelContext& context);
+void drawFunnelPanel(PanelContext& context);
+void drawLogPanel(PanelContext& context);
+void drawParametersPanel(PanelContext& context);
+void drawEvaluationPanel(PanelContext& context);
+void drawHelpPanel(PanelContext& context);
+void drawStatusBar(PanelContext& context);
+
+/// What a panel without a snapshot says; false if there is one.
+bool saysWhyEmpty(const PanelContext& context);
+/// Writes text into the output folder and says so.
+void exportText(PanelContext& context, const std::string& name, const std::string& text);
+/// "kitti_00_it-svo": first part of the names of exported files.
+std::string runName(const RunInfo& info);
+
+}  // namespace svoscope::ui

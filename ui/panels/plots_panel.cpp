@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "ui/palette.h"
+#include "ui/panels/panel_context.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+
+namespace svoscope::ui {
+
+namespace {
+
+void chooser(PanelContext& c) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {grid(1), grid(1)});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
+  bool first = true;
+  for (const ChartInfo& chart : chartTable()) {
+    if (std::string("Error") == chart.group && c.info.ground_truth.empty()) continue;
+    bool on = c.state.plot_groups.count(chart.group) > 0;
+    if (!first) sameLineIfFits(buttonWidth(chart.group));
+    first = false;
+    const std::string label = std::string(chart.group) + "##chart";
+    if (toggle(label.c_str(), on, chart.unit_label)) {
+      if (on) c.state.plot_groups.insert(chart.group);
+      else c.state.plot_groups.erase(chart.group);
+    }
+  }
+  ImGui::PopStyleVar(2);
+}
+
+PlotSpec specOf(PanelContext& c, const ChartInfo& chart) {
+  const RunCache& run = c.caches.run;
+  PlotSpec spec;
+  spec.id = chart.group;
+  spec.y_label = chart.unit_label;
+  spec.zero_based = chart.zero_based;
+  spec.marks = &run.marks();
+  spec.cursor = c.viewedFrame();
+  const std::string group = chart.group;
+  if (group == "Error") {
+    spec.series.push_back({methodName(c.info.method), &run.frames(), &c.caches.truth.state().error,
+                           methodColor(c.info.method)});
+    return spec;
+  }
+  const auto& table = seriesTable();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (group != table[i].group) continue;
+    spec.series.push_back({table[i].label, &run.frames(), &run.column(i), table[i].color, table[i].dashed});
+  }
+  if (group == "Features" && c.record && c.record->funnel.required > 0) {
+    spec.levels.push_back({1.0 * c.record->funnel.required, okabe::vermillion, "lost below"});
+  }
+  if (group == "Time" && c.info.rate_hz > 0) {
+    spec.levels.push_back({1000 / c.info.rate_hz, ink::dim, "frame budget"});
+  }
+  return spec;
+}
+
+std::string fileName(const char* group) {
+  std::string name = std::string("plot_") + group + ".csv";
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char ch) { return std::tolower(ch); });
+  return name;
+}
+
+}  // namespace
+
+void drawPlotsPanel(PanelContext& c) {
+  chooser(c);
+  if (c.caches.run.records().empty()) {
+    return emptyState("No samples yet", "Every processed frame adds one to each plot");
+  }
+  std::vector<const ChartInfo*> charts;
+  for (const ChartInfo& chart : chartTable()) {
+    const bool known = std::string("Error") != chart.group || !c.info.ground_truth.empty();
+    if (known && c.state.plot_groups.count(chart.group)) charts.push_back(&chart);
+  }
+  if (charts.empty()) return emptyState("No plot chosen", "Choose quantities with the buttons above");
+  const float spacing = ImGui::GetStyle().ItemSpacing.y;
+  const float room = ImGui::GetContentRegionAvail().y - spacing * static_cast<float>(charts.size());
+  const float height = std::max(ImGui::GetFontSize() * 6, room / static_cast<float>(charts.size()));
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    PlotSpec spec = specOf(c, *charts[i]);
+    spec.size = {0, std::floor(height)};
+    spec.show_x_labels = i + 1 == charts.size();
+    PlotState& state = c.state.plots[charts[i]->group];
+    const PlotResult result = plot(spec, state, c.state.linked_x);
+    if (result.clicked && c.latest) c.view(std::max(0, static_cast<int>(result.clicked_x)));
+    if (result.export_csv) {
+      exportText(c, fileName(charts[i]->group), plotCsv(spec, state, c.state.linked_x));
+    }
+  }
+}
+
+}  // namespace svoscope::ui

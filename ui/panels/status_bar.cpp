@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "ui/palette.h"
+#include "ui/panels/panel_context.h"
+#include "ui/theme.h"
+#include "ui/widgets/controls.h"
+#include "ui/widgets/icons.h"
+
+namespace svoscope::ui {
+
+namespace {
+
+void part(const std::string& text, ImU32 color = ink::dim) {
+  ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void gap() {
+  ImGui::SameLine(0, grid(3));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + grid(0.5f)},
+                                      {at.x, at.y + ImGui::GetTextLineHeight() - grid(0.25f)}, ink::line);
+  ImGui::Dummy({1, 1});
+  ImGui::SameLine(0, grid(3));
+}
+
+void stateParts(const PanelContext& c) {
+  if (!c.record) return part("Waiting for the first frame");
+  legendEntry(stateColor(c.record->state), Swatch::dot, stateName(c.record->state));
+  if (!c.record->reason.empty() && c.record->reason != stateName(c.record->state)) {
+    gap();
+    part(c.record->reason, c.record->state == TrackingState::lost ? okabe::orange : ink::dim);
+  }
+}
+
+std::string engineText(const PanelContext& c) {
+  const double mb = 1.0 / (1024 * 1024);
+  std::string text = format("%.1f fps", c.status.fps);
+  if (c.status.mapping_queue > 0) text += format("   queue %d", c.status.mapping_queue);
+  text += format("   history %.0f of %.0f MB", static_cast<double>(c.status.history_bytes) * mb,
+                 static_cast<double>(c.status.history_budget) * mb);
+  if (!c.size_text.empty()) text += "   " + c.size_text;
+  return text;
+}
+
+}  // namespace
+
+void drawStatusBar(PanelContext& c) {
+  part(c.info.sequence.empty() ? "No sequence" : c.info.sequence, ink::text);
+  gap();
+  legendEntry(methodColor(c.info.method), Swatch::line, methodName(c.info.method));
+  gap();
+  part(format("frame %d / %d", c.viewedFrame(), c.info.frames));
+  gap();
+  stateParts(c);
+  const std::string right = engineText(c);
+  const float width = ImGui::CalcTextSize(right.c_str()).x;
+  const float start = ImGui::GetWindowContentRegionMax().x - width;
+  if (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + grid(4) < start) {
+    ImGui::SameLine(start);
+    part(right);
+  }
+}
+
+}  // namespace svoscope::ui

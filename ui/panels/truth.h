@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Ground truth held against the estimate while a run goes on: alignment, errors, and the ground
+// truth drawn in the map's frame.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/snapshot/snapshot.h"
+
+namespace svoscope::ui {
+
+enum class AlignMode : int { none, se3, sim3 };
+const char* alignModeName(AlignMode mode);
+
+struct TruthState {
+  bool valid = false;          ///< at least three poses matched
+  AlignMode mode = AlignMode::sim3;
+  int matched = 0;             ///< poses with ground truth
+  double scale = 1;            ///< metres per map unit
+  Mat3 R = Mat3::Identity();   ///< ground truth <- map
+  Vec3 t = Vec3::Zero();
+  double ate_rmse = 0, ate_mean = 0, ate_median = 0, ate_max = 0;  ///< m
+  double rpe_trans = 0, rpe_rot = 0;  ///< over one second: m and radians, RMSE
+  int rpe_pairs = 0;
+  std::vector<float> error;    ///< per record, m; NaN where unknown
+  std::vector<Vec3f> path;     ///< ground truth positions so far, in the map's frame
+  std::uint64_t version = 0;   ///< changes with the content
+};
+
+class Truth {
+ public:
+  /// Recomputes if enough frames were added since the last time (`settled`: any), or the mode changed.
+  void update(const std::vector<FrameRecord>& records, const Trajectory& truth, AlignMode mode,
+              int generation, bool settled);
+  const TruthState& state() const { return state_; }
+
+ private:
+  TruthState state_;
+  std::size_t done_ = 0;
+  int generation_ = -1;
+};
+
+/// Without the cache, for tests.
+TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory& truth,
+                      AlignMode mode);
+
+}  // namespace svoscope::ui
