@@ -3,30 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/geometry/triangulation.h"
 #include "engine/geometry/two_view_bundle.h"
 #include "engine/geometry/two_view_decompose.h"
 #include "engine/geometry/two_view_models.h"
+#include "engine/geometry/two_view_support.h"
 
 namespace svoscope {
 
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-template <typename... Args>
-std::string format(const char* text, Args... args) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, text, args...);
-  return buffer;
-}
 
 /// Torr's GRIC: fit, plus the price of the structure (d per correspondence) and of the model (k).
 /// `errors` are distances with 4 - d degrees of freedom per correspondence.
@@ -116,7 +102,7 @@ void fillStructure(const TwoViewData& data, const TwoViewOptions& options, TwoVi
     ++out.inliers;
   }
   out.rms_px = out.inliers > 0 ? std::sqrt(sum / out.inliers) : 0;
-  out.parallax_deg = median(parallax) * 180 / M_PI;
+  out.parallax_deg = medianOf(parallax) * 180 / M_PI;
 }
 
 void judge(const TwoViewOptions& o, int tracks, TwoViewResult& out) {
@@ -125,22 +111,23 @@ void judge(const TwoViewOptions& o, int tracks, TwoViewResult& out) {
       std::max(o.min_inliers, static_cast<int>(std::ceil(o.min_inlier_ratio * tracks)));
   if (out.gric_rotation <= best_gric) {
     out.verdict = TwoViewVerdict::rotation_only;
-    out.reason = format("a rotation explains the motion: %.1f px left of %.1f px",
-                        out.rotation_residual_px, out.disparity_px);
+    out.reason = formatLine("a rotation explains the motion: %.1f px left of %.1f px",
+                            out.rotation_residual_px, out.disparity_px);
   } else if (out.rotation_residual_px < o.min_disparity_px) {
     out.verdict = TwoViewVerdict::low_parallax;
-    out.reason = format("disparity without rotation %.1f px < %.1f px", out.rotation_residual_px,
-                        o.min_disparity_px);
+    out.reason = formatLine("disparity without rotation %.1f px < %.1f px",
+                            out.rotation_residual_px, o.min_disparity_px);
   } else if (out.inliers < wanted) {
     out.verdict = TwoViewVerdict::too_few_inliers;
-    out.reason = format("%d inliers of %d < %d", out.inliers, tracks, wanted);
+    out.reason = formatLine("%d inliers of %d < %d", out.inliers, tracks, wanted);
   } else if (out.candidates.size() > 1) {
     out.verdict = TwoViewVerdict::ambiguous;
-    out.reason = format("%d poses explain the motion alike", static_cast<int>(out.candidates.size()));
+    out.reason = formatLine("%d poses explain the motion alike",
+                            static_cast<int>(out.candidates.size()));
   } else {
     out.verdict = TwoViewVerdict::ok;
-    out.reason = format("%s, %d inliers of %d, %.2f px", twoViewModelName(out.model), out.inliers,
-                        tracks, out.rms_px);
+    out.reason = formatLine("%s, %d inliers of %d, %.2f px", twoViewModelName(out.model),
+                            out.inliers, tracks, out.rms_px);
   }
 }
 
@@ -190,18 +177,18 @@ TwoViewResult estimateTwoView(const std::vector<Vec2>& x_ref, const std::vector<
   const int tracks = static_cast<int>(x_ref.size());
   out.inlier.assign(x_ref.size(), false);
   out.inv_depth.assign(x_ref.size(), 0.0);
-  out.reason = format("%d tracks < %d", tracks, options.min_tracks);
+  out.reason = formatLine("%d tracks < %d", tracks, options.min_tracks);
   if (tracks < std::max(8, options.min_tracks)) return out;
 
   const TwoViewData data{x_ref, x_cur, options.sigma_px / options.focal,
                          options.inlier_px / options.focal, options.max_samples, options.seed};
   std::vector<double> moved;
   for (int i = 0; i < tracks; ++i) moved.push_back((x_ref[i] - x_cur[i]).norm() * options.focal);
-  out.disparity_px = median(moved);
+  out.disparity_px = medianOf(moved);
 
   const Eigen::Quaterniond q = fitRotation(data);
   const std::vector<double> e_rotation = rotationErrors(q, data);
-  out.rotation_residual_px = median(e_rotation) * options.focal;
+  out.rotation_residual_px = medianOf(e_rotation) * options.focal;
   out.gric_rotation = gric(e_rotation, data.sigma, 2, 3);
   const Mat3 H = fitHomography(data);
   out.gric_homography = gric(homographyErrors(H, data), data.sigma, 2, 8);

@@ -3,20 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "engine/geometry/two_view_support.h"
 #include "engine/tracking/initializer_solve.h"
 
 namespace svoscope {
 
 namespace {
-
-template <typename... Args>
-std::string format(const char* text, Args... args) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, text, args...);
-  return buffer;
-}
 
 /// Attempts cost ten times as much as tracking: the further off the last one was, the longer the
 /// next can wait. Depth uncertainty falls about as fast as the baseline grows.
@@ -71,7 +64,7 @@ Status InitializerParameters::check() const {
 
 Initializer::Initializer(const Pinhole& camera, const InitializerParameters& parameters)
     : camera_(camera), parameters_(parameters) {
-  if (!(parameters_.min_disparity_px > 0)) parameters_.min_disparity_px = 0.02 * camera.width;
+  if (!(parameters_.min_disparity_px > 0)) parameters_.min_disparity_px = 0.015 * camera.width;
 }
 
 void Initializer::reset() { references_.clear(); }
@@ -147,9 +140,9 @@ void Initializer::fillTracks(InitializerOutput& out) const {
     if (t.alive) out.tracks.push_back({t.id, t.feature.type, t.feature.px, t.px});
   if (!out.reason.empty()) return;
   if (shown.alive() < parameters_.min_tracks)
-    out.reason = format("%d features < %d", shown.alive(), parameters_.min_tracks);
+    out.reason = formatLine("%d features < %d", shown.alive(), parameters_.min_tracks);
   else
-    out.reason = format("%d tracks, median disparity %.1f px < %.1f px", shown.alive(),
+    out.reason = formatLine("%d tracks, median disparity %.1f px < %.1f px", shown.alive(),
                         shown.disparity(), parameters_.min_disparity_px);
 }
 

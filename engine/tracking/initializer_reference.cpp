@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/two_view_support.h"
 #include "engine/tracking/initializer.h"
 
 namespace svoscope {
@@ -14,13 +15,6 @@ namespace {
 constexpr double kEdgeletPriorPx = 2.0;  // how well neighbours predict an edge point, px
 constexpr double kMaxSurprisePx = 12;    // how far from their prediction lost tracks are taken, px
 constexpr int kMaxMissed = 10;           // frames a track may be missing (blur, occlusion)
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Median motion since the last frame of the corners found nearest to a track; zero if there are
 /// too few.
@@ -37,7 +31,7 @@ Vec2 neighbourMotion(const std::vector<StartTrack>& tracks, const StartTrack& of
     x.push_back(near[i].second.x());
     y.push_back(near[i].second.y());
   }
-  return {median(x), median(y)};
+  return {medianOf(x), medianOf(y)};
 }
 
 }  // namespace
@@ -144,7 +138,7 @@ void InitializerReference::record(const InitializerFrame& frame) {
     if (t.alive) moved.push_back((t.px - t.feature.px).norm());
   }
   alive_ = static_cast<int>(moved.size());
-  out.disparity_px = median(moved);
+  out.disparity_px = medianOf(moved);
   frames_.push_back(std::move(out));
 }
 
