@@ -104,32 +104,44 @@ std::vector<Vec2> projectClipped(const SeenQuad& quad, const Pinhole& camera) {
   return polygon;
 }
 
+struct Span {
+  double left = 1e9, right = -1e9;
+};
+
+/// Where the row at height y cuts a convex polygon.
+Span rowSpan(const std::vector<Vec2>& polygon, double y) {
+  Span span;
+  const auto include = [&](double x) {
+    span.left = std::min(span.left, x);
+    span.right = std::max(span.right, x);
+  };
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if (std::min(a.y(), b.y()) > y || std::max(a.y(), b.y()) < y) continue;
+    const double dy = b.y() - a.y();
+    if (std::abs(dy) < 1e-12) {  // the edge lies in the row
+      include(a.x());
+      include(b.x());
+    } else {
+      include(a.x() + std::clamp((y - a.y()) / dy, 0.0, 1.0) * (b.x() - a.x()));
+    }
+  }
+  return span;
+}
+
 /// Visits the pixels of the quad row by row and keeps the nearest surface.
 void Painter::fill(const SeenQuad& quad, int id) {
   const std::vector<Vec2> polygon = projectClipped(quad, camera_);
   if (polygon.size() < 3) return;
-  double top = polygon[0].y(), bottom = top;
-  for (const Vec2& p : polygon) {
-    top = std::min(top, p.y());
-    bottom = std::max(bottom, p.y());
-  }
-  const int y0 = static_cast<int>(std::ceil(std::max(0.0, top)));
-  const int y1 = static_cast<int>(std::floor(std::min(camera_.height - 1.0, bottom)));
+  const auto lower = [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); };
+  const auto [top, bottom] = std::minmax_element(polygon.begin(), polygon.end(), lower);
+  const int y0 = static_cast<int>(std::ceil(std::clamp(top->y(), 0.0, camera_.height + 1.0)));
+  const int y1 = static_cast<int>(std::floor(std::clamp(bottom->y(), -1.0, camera_.height - 1.0)));
   for (int y = y0; y <= y1; ++y) {
-    double left = 1e9, right = -1e9;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-      const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-      if ((a.y() < y && b.y() < y) || (a.y() > y && b.y() > y)) continue;
-      const double dy = b.y() - a.y();
-      const double s = std::abs(dy) < 1e-12 ? 0.0 : std::clamp((y - a.y()) / dy, 0.0, 1.0);
-      for (double x :
-           {a.x() + s * (b.x() - a.x()), dy == 0 ? b.x() : a.x() + s * (b.x() - a.x())}) {
-        left = std::min(left, x);
-        right = std::max(right, x);
-      }
-    }
-    const int x0 = static_cast<int>(std::ceil(std::max(0.0, left - 1e-6)));
-    const int x1 = static_cast<int>(std::floor(std::min(camera_.width - 1.0, right + 1e-6)));
+    const Span span = rowSpan(polygon, y);
+    const double left = std::clamp(span.left - 1e-6, 0.0, camera_.width + 1.0);
+    const double right = std::clamp(span.right + 1e-6, -1.0, camera_.width - 1.0);
+    const int x0 = static_cast<int>(std::ceil(left)), x1 = static_cast<int>(std::floor(right));
     float* inv_z = inv_z_.ptr<float>(y);
     int* ids = ids_.ptr<int>(y);
     const double start = quad.inv_z(0, y), step = quad.inv_z.a;

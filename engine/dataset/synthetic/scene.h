@@ -21,7 +21,8 @@ struct Quad {
 struct Scene {
   std::vector<Texture> textures;
   std::vector<Quad> quads;
-  float sky = 0;  ///< grey level where no quad is; a little darker towards the zenith
+  float sky = 0;           ///< grey level where no quad is; a little darker towards the zenith
+  double texel_scale = 1;  ///< small images need no fine textures: they are built coarser, faster
 
   /// Index of a new texture.
   int addTexture(const cv::Mat& image);

@@ -107,7 +107,7 @@ const std::vector<NamedText>& syntheticOptions() {
       {"blackout", "FIRST:COUNT, frames that are black"},
       {"speed", "motion is this many times as fast, 0..10, default 1"},
       {"seed", "other textures, layout and noise, 0..2147483647, default 1"},
-      {"size", "WIDTHxHEIGHT in pixels, 32..4096; the focal length scales with the width"}};
+      {"size", "WIDTHxHEIGHT in pixels, 32..4096; focal length and texture detail follow"}};
   return options;
 }
 

@@ -11,6 +11,9 @@
 namespace svoscope::synthetic {
 
 struct World {
+  /// An empty world whose textures suit the image size asked for.
+  World(const SyntheticSpec& spec, double width, double focal_px);
+
   Scene scene;
   double focal = 525;                 ///< px at the preset's own width
   double preset_width = 640;          ///< px

@@ -25,7 +25,7 @@ FaceTexture printedFaces(Scene& scene, Seeds& seeds, double texel) {
   return [&scene, &seeds, texel](double width, double height) {
     const std::uint64_t seed = seeds();
     Random random(seed);
-    const Surface surface{width, height, texel, seed};
+    const Surface surface{width, height, texel * scene.texel_scale, seed};
     const double mean = random.uniform(85, 170), contrast = random.uniform(50, 85);
     const double largest = 0.4 * std::min(width, height);
     return scene.addTexture(shapes(surface, mean, contrast, largest));
@@ -34,7 +34,8 @@ FaceTexture printedFaces(Scene& scene, Seeds& seeds, double texel) {
 
 /// Four walls, floor and ceiling around the origin.
 void addShell(Scene& scene, Seeds& seeds, const Vec3& size) {
-  const double x = 0.5 * size.x(), y = 0.5 * size.y(), z = size.z(), texel = 0.0035;
+  const double x = 0.5 * size.x(), y = 0.5 * size.y(), z = size.z(),
+               texel = 0.0035 * scene.texel_scale;
   const auto wall = [&](const Vec3& corner, const Vec3& along, double mean, float gain) {
     const cv::Mat image = pictureWall({along.norm(), z, texel, seeds()}, mean);
     scene.addQuad(corner, along, Vec3(0, 0, -z), scene.addTexture(image), gain);
@@ -45,7 +46,7 @@ void addShell(Scene& scene, Seeds& seeds, const Vec3& size) {
   wall({-x, -y, z}, {0, 2 * y, 0}, 155, 0.88f);
   const cv::Mat ground = boards({2 * x, 2 * y, texel, seeds()}, 120, 0.16);
   scene.addQuad({-x, y, 0}, {2 * x, 0, 0}, {0, -2 * y, 0}, scene.addTexture(ground));
-  const cv::Mat ceiling = plaster({2 * x, 2 * y, 0.006, seeds()}, 190, 0.15);
+  const cv::Mat ceiling = plaster({2 * x, 2 * y, 1.7 * texel, seeds()}, 190, 0.15);
   scene.addQuad({-x, -y, z}, {2 * x, 0, 0}, {0, 2 * y, 0}, scene.addTexture(ceiling));
 }
 
@@ -76,7 +77,7 @@ void addWallBoxes(Scene& scene, Seeds& seeds, const Vec3& size) {
 }  // namespace
 
 World buildRoom(const SyntheticSpec& spec) {
-  World world;
+  World world(spec, 640, 525);
   Seeds seeds(mixSeed(spec.seed, 11));
   const Vec3 size(6.4, 6.0, 2.7);
   addShell(world.scene, seeds, size);
@@ -92,19 +93,19 @@ World buildRoom(const SyntheticSpec& spec) {
 }
 
 World buildDesk(const SyntheticSpec& spec) {
-  World world;
+  World world(spec, 640, 525);
   Scene& scene = world.scene;
   Seeds seeds(mixSeed(spec.seed, 22));
-  const cv::Mat wall = pictureWall({5.0, 2.6, 0.0025, seeds()}, 160);
+  const cv::Mat wall = pictureWall({5.0, 2.6, 0.0025 * scene.texel_scale, seeds()}, 160);
   scene.addQuad({-2.5, 1.1, 2.6}, {5, 0, 0}, {0, 0, -2.6}, scene.addTexture(wall), 0.9f);
-  const cv::Mat ground = boards({5.0, 4.0, 0.003, seeds()}, 105, 0.12);
+  const cv::Mat ground = boards({5.0, 4.0, 0.003 * scene.texel_scale, seeds()}, 105, 0.12);
   scene.addQuad({-2.5, 1.1, 0}, {5, 0, 0}, {0, -4, 0}, scene.addTexture(ground), 0.8f);
   for (double side : {-1.0, 1.0}) {
-    const cv::Mat beside = pictureWall({4.0, 2.6, 0.0035, seeds()}, 150);
+    const cv::Mat beside = pictureWall({4.0, 2.6, 0.0035 * scene.texel_scale, seeds()}, 150);
     scene.addQuad({side * 2.5, -2.9, 2.6}, {0, 4, 0}, {0, 0, -2.6}, scene.addTexture(beside), 0.8f);
   }
   addBox(scene, {0, 0.1, 0.70}, {1.9, 1.1, 0.05}, 0, [&](double w, double h) {
-    return scene.addTexture(boards({w, h, 0.0015, seeds()}, 145, 0.2));
+    return scene.addTexture(boards({w, h, 0.0015 * scene.texel_scale, seeds()}, 145, 0.2));
   });
   const FaceTexture faces = printedFaces(scene, seeds, 0.0012);
   const double top = 0.75;
@@ -123,10 +124,10 @@ World buildDesk(const SyntheticSpec& spec) {
 }
 
 World buildCorridor(const SyntheticSpec& spec) {
-  World world;
+  World world(spec, 640, 525);
   Scene& scene = world.scene;
   Seeds seeds(mixSeed(spec.seed, 33));
-  const double segment = 4.0, half = 1.1, height = 2.6, texel = 0.004;
+  const double segment = 4.0, half = 1.1, height = 2.6, texel = 0.004 * scene.texel_scale;
   const double walked = 1.1 * spec.speed * spec.frames / spec.rate_hz;
   const int segments = static_cast<int>(std::ceil((walked + 12.0) / segment)) + 1;
   const int pool = std::min(segments, 12);  // bounds memory; repeats are 48 m apart

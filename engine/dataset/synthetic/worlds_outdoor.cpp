@@ -29,7 +29,7 @@ void addHouses(Scene& scene, std::uint64_t seed, double from, double to) {
   const auto houseHeight = [&](int i) { return Random(mixSeed(seed, 50 + i)).uniform(8, 13); };
   const int pool_size = std::min(2 * needed, 26);
   const auto pool = texturePool(scene, pool_size, [&](int i) {
-    return facade({kHouse, houseHeight(i), 0.0125, mixSeed(seed, 100 + i)});
+    return facade({kHouse, houseHeight(i), 0.0125 * scene.texel_scale, mixSeed(seed, 100 + i)});
   });
   for (int i = 0; i < needed; ++i) {
     for (int side : {-1, 1}) {
@@ -50,11 +50,12 @@ void addGround(Scene& scene, std::uint64_t seed, double from, double to) {
   const int pieces = static_cast<int>(std::ceil((to - from) / kRoadPiece));
   const int pool_size = std::min(pieces, 6);
   const auto road = texturePool(scene, pool_size, [&](int i) {
-    return asphalt({kRoadPiece, 2 * kKerb, 0.01, mixSeed(seed, 200 + i)}, true);
+    return asphalt({kRoadPiece, 2 * kKerb, 0.01 * scene.texel_scale, mixSeed(seed, 200 + i)}, true);
   });
   const double pavement = kFacade + 4.5 - kKerb;
   const auto walk = texturePool(scene, pool_size, [&](int i) {
-    return stoneFloor({kRoadPiece, pavement, 0.012, mixSeed(seed, 300 + i)}, 130, 0.5);
+    return stoneFloor({kRoadPiece, pavement, 0.012 * scene.texel_scale, mixSeed(seed, 300 + i)},
+                      130, 0.5);
   });
   for (int i = 0; i < pieces; ++i) {
     const double x = from + i * kRoadPiece;
@@ -71,7 +72,7 @@ void addParked(Scene& scene, std::uint64_t seed, double from, double to) {
   const int kKinds = 12;
   const auto pool = texturePool(scene, kKinds, [&](int i) {
     Random shade(mixSeed(seed, 500 + i));
-    const Surface surface{4.0, 1.6, 0.01, mixSeed(seed, 600 + i)};
+    const Surface surface{4.0, 1.6, 0.01 * scene.texel_scale, mixSeed(seed, 600 + i)};
     return shapes(surface, shade.uniform(70, 180), 75, 0.7);
   });
   for (double x = from; x < to; x += random.uniform(6.5, 14)) {
@@ -84,8 +85,13 @@ void addParked(Scene& scene, std::uint64_t seed, double from, double to) {
 
 }  // namespace
 
+World::World(const SyntheticSpec& spec, double width, double focal_px)
+    : focal(focal_px), preset_width(width) {
+  scene.texel_scale = std::clamp(width / spec.width, 1.0, 4.0);
+}
+
 World buildStreet(const SyntheticSpec& spec) {
-  World world;
+  World world(spec, 640, 525);
   world.scene.sky = 225;
   const std::uint64_t seed = mixSeed(spec.seed, 44);
   const double from = -12.0, to = 8.0 * spec.speed * spec.frames / spec.rate_hz + kSeen;
@@ -99,20 +105,19 @@ World buildStreet(const SyntheticSpec& spec) {
 }
 
 World buildFloor(const SyntheticSpec& spec) {
-  World world;
-  world.focal = 315;
-  world.preset_width = 752;
+  World world(spec, 752, 315);
   Scene& scene = world.scene;
   const std::uint64_t seed = mixSeed(spec.seed, 55);
   const double x = 8.0, y = 6.5;
-  const cv::Mat ground = stoneFloor({2 * x, 2 * y, 0.005, mixSeed(seed, 1)}, 120, 0.8);
+  const cv::Mat ground =
+      stoneFloor({2 * x, 2 * y, 0.005 * scene.texel_scale, mixSeed(seed, 1)}, 120, 0.8);
   scene.addQuad({-x, y, 0}, {2 * x, 0, 0}, {0, -2 * y, 0}, scene.addTexture(ground));
   Random random(mixSeed(seed, 2));
   for (int i = 0; i < 14; ++i) {
     const Vec3 place{random.uniform(-5, 5), random.uniform(-3.8, 3.8), 0};
     const Vec3 size{random.uniform(0.3, 0.8), random.uniform(0.3, 0.8), random.uniform(0.08, 0.4)};
     addBox(scene, place, size, random.uniform(0, 3), [&](double w, double h) {
-      const Surface surface{w, h, 0.004, random.next()};
+      const Surface surface{w, h, 0.004 * scene.texel_scale, random.next()};
       return scene.addTexture(shapes(surface, random.uniform(80, 180), 80, 0.2));
     });
   }
