@@ -55,7 +55,7 @@ int runScripted(const InspectorOptions& options, Host& host, Inspector& inspecto
 int runLoop(const InspectorOptions& options, Host& host, Inspector& inspector) {
   Runner& runner = *options.runner;
   Surface& surface = host.surface();
-  if (host.softwareRendering()) yieldToEngine();
+  if (host.softwareRendering() && surface.kind() == SurfaceKind::window) yieldToEngine();
   FramePacer pacer(host.softwareRendering());
   const Stopwatch clock;
   const auto now = [&clock] { return clock.ms() / 1000; };
@@ -68,8 +68,8 @@ int runLoop(const InspectorOptions& options, Host& host, Inspector& inspector) {
     situation.input = surface.inputPending();
     situation.new_snapshot = latest && latest->sequence_number != drawn_snapshot;
     situation.playing = runner.status().playing;
-    const bool headless = surface.kind() != SurfaceKind::window;
-    if (headless || pacer.due(situation, now())) {
+    // A run of so many frames is a test or a benchmark: no reason to wait.
+    if (options.exit_after_frames > 0 || pacer.due(situation, now())) {
       const double start = now();
       host.frame(inspector);
       pacer.drawn(situation, now(), now() - start);

@@ -13,6 +13,8 @@
 namespace svoscope::ui {
 
 struct InspectorOptions {
+  /// Its threads should exist by now: those it starts later inherit the low priority that the UI
+  /// thread takes when it renders in software.
   std::unique_ptr<Runner> runner;
   SurfaceKind surface = SurfaceKind::automatic;
   int width = 1600, height = 1000;              ///< pixels; a window's at scale 1

@@ -232,8 +232,9 @@ SurfaceSize fitToScreen(SurfaceSize size) {
 }  // namespace
 
 Result<std::unique_ptr<Surface>> makeWindowSurface(SurfaceSize size, float scale) {
-  // Software rendering would take every core from the engine otherwise; GPU drivers ignore this.
-  setenv("LP_NUM_THREADS", "1", 0);
+  // A software renderer then draws in our own thread, which yields to the engine, instead of in one
+  // per core, which would not. GPU drivers ignore this.
+  setenv("LP_NUM_THREADS", "0", 0);
   const Error failed{ErrorKind::internal, "", "window",
                      "check DISPLAY, or use --headless to render without a window"};
   const auto error = [&failed](const std::string& what) {
