@@ -212,7 +212,7 @@ void drawFeatures(const ImageView& view, const Snapshot& snapshot, const ImageOp
     if (selected) highlight(list, p, glyphRadius(view, f));
     if (options.ids || selected) {
       const std::string text = format("%lld", static_cast<long long>(f.id));
-      outlinedText(list, {p.x + dp(7), p.y - ImGui::GetFontSize() / 2}, selected ? ink::selected : color,
+      outlinedText(list, {p.x + (selected ? glyphRadius(view, f) : 0) + dp(7), p.y - ImGui::GetFontSize() / 2}, selected ? ink::selected : color,
                    text.c_str());
     }
   }
