@@ -40,7 +40,7 @@ void toolbar(PanelContext& c) {
   if (!c.info.ground_truth.empty()) {
     bar.item("Ground truth", o.ground_truth, "Ground truth, aligned to the estimate, dashed");
   }
-  bar.item("Seeds##scene", o.seeds, "Seeds as rays from near to far");
+  bar.item("Rays", o.seeds, "Seeds as rays from near to far");
   bar.item("Grid", o.grid, "Ground grid");
   ImGui::PopStyleVar(2);
 }
