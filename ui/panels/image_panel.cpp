@@ -105,7 +105,7 @@ std::vector<LegendItem> legendItems(const Snapshot& s, const ImageOptions& o) {
                      format("%s %d", originName(origin), counts[i])});
   }
   if (outliers) items.push_back({okabe::vermillion, Swatch::cross, format("Outlier %d", outliers)});
-  if (failed) items.push_back({okabe::grey, Swatch::dot, format("Not aligned %d", failed)});
+  if (failed) items.push_back({okabe::grey, Swatch::ring, format("Not aligned %d", failed)});
   return items;
 }
 

@@ -221,7 +221,7 @@ void note(const std::string& text) {
 
 void emptyState(const char* title, const std::string& what_to_do) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float width = std::min(room.x, ImGui::GetFontSize() * 26);
+  const float width = std::min(room.x, ImGui::GetFontSize() * 36);
   if (width < 1) return;
   const ImVec2 title_size = ImGui::CalcTextSize(title, nullptr, false, width);
   const ImVec2 text_size = ImGui::CalcTextSize(what_to_do.c_str(), nullptr, false, width);

@@ -63,7 +63,7 @@ void note(const std::string& text);
 /// A centred message for a panel that has nothing to show yet.
 void emptyState(const char* title, const std::string& what_to_do);
 
-enum class Swatch { square, line, dashed, cross, dot };
+enum class Swatch { square, line, dashed, cross, dot, ring };
 /// Colour sample and text on the current line.
 void legendEntry(ImU32 color, Swatch kind, const char* text);
 float legendWidth(const char* text);
