@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dataset/list_sequence.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <opencv2/imgcodecs.hpp>
+#include <string_view>
+
+namespace svoscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+std::string lowerExtension(const fs::path& file) {
+  std::string text = file.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// PNG and JPEG state their end; other formats are left to the decoder.
+bool endIsMissing(std::string_view bytes) {
+  const std::string_view tail = bytes.substr(bytes.size() - std::min<size_t>(bytes.size(), 4096));
+  if (bytes.substr(0, 4) == "\x89PNG") return tail.find("IEND") == std::string_view::npos;
+  if (bytes.substr(0, 2) == "\xFF\xD8") return tail.find("\xFF\xD9") == std::string_view::npos;
+  return false;
+}
+
+/// Compares runs of digits as numbers.
+bool naturalLess(const std::string& a, const std::string& b) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (digit(a[i]) && digit(b[j])) {
+      size_t m = i, n = j;
+      while (m < a.size() && digit(a[m])) ++m;
+      while (n < b.size() && digit(b[n])) ++n;
+      while (i < m && a[i] == '0') ++i;
+      while (j < n && b[j] == '0') ++j;
+      if (m - i != n - j) return m - i < n - j;
+      const int order = a.compare(i, m - i, b, j, n - j);
+      if (order != 0) return order < 0;
+      i = m;
+      j = n;
+    } else {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i;
+      ++j;
+    }
+  }
+  if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
+  return a < b;
+}
+
+}  // namespace
+
+Result<cv::Mat> readImageFile(const fs::path& file, int flags) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    return inputError("the image is missing", file.string(),
+                      "restore the file or remove it from the list");
+  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  const char* const remedy = "copy or extract the sequence again";
+  if (bytes.empty()) return inputError("the image file is empty", file.string(), remedy);
+  if (endIsMissing(bytes)) return inputError("the image is truncated", file.string(), remedy);
+  cv::Mat image;
+  try {
+    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+    image = cv::imdecode(raw, flags);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) return inputError("the image cannot be decoded", file.string(), remedy);
+  return image;
+}
+
+std::vector<fs::path> sortedImages(const fs::path& folder) {
+  static const char* const kExtensions[] = {".png", ".jpg", ".jpeg", ".pgm", ".ppm",
+                                            ".bmp", ".tif", ".tiff", ".webp"};
+  std::vector<fs::path> images;
+  std::error_code ec;
+  for (const auto& item : fs::directory_iterator(folder, ec)) {
+    const std::string extension = lowerExtension(item.path());
+    const bool known = std::any_of(std::begin(kExtensions), std::end(kExtensions),
+                                   [&](const char* e) { return extension == e; });
+    if (known && item.path().filename().string()[0] != '.') images.push_back(item.path());
+  }
+  std::sort(images.begin(), images.end(), [](const fs::path& a, const fs::path& b) {
+    return naturalLess(a.filename().string(), b.filename().string());
+  });
+  return images;
+}
+
+std::string folderName(const fs::path& folder) {
+  std::error_code ec;
+  fs::path full = fs::weakly_canonical(folder, ec);
+  if (ec) full = folder;
+  return full.has_filename() ? full.filename().string() : full.parent_path().filename().string();
+}
+
+double medianRate(const std::vector<ImageEntry>& entries) {
+  if (entries.size() < 2) return 0;
+  std::vector<double> steps;
+  for (size_t i = 1; i < entries.size(); ++i)
+    steps.push_back(entries[i].timestamp - entries[i - 1].timestamp);
+  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+  const double step = steps[steps.size() / 2];
+  return step > 0 ? 1.0 / step : 0;
+}
+
+Result<std::unique_ptr<Sequence>> ListSequence::open(ImageList list) {
+  if (list.entries.empty())
+    return inputError("the sequence has no images", list.name, "check the list of images");
+  std::unique_ptr<ListSequence> sequence(new ListSequence(std::move(list)));
+  // A few damaged images are no reason to refuse a sequence, a wrong calibration is.
+  const int probes = std::min(5, sequence->size());
+  for (int i = 0; i < probes; ++i) {
+    const fs::path& file = sequence->list_.entries[i].image;
+    if (!readImageFile(file, cv::IMREAD_GRAYSCALE).ok() && i + 1 < probes) continue;
+    auto image = sequence->read(i);
+    if (!image) return image.error();
+    break;
+  }
+  return std::unique_ptr<Sequence>(std::move(sequence));
+}
+
+Result<SequenceImage> ListSequence::read(int index) {
+  const ImageEntry& entry = list_.entries.at(index);
+  auto image = readImageFile(entry.image, cv::IMREAD_GRAYSCALE);
+  if (!image) return image.error();
+  const Pinhole& p = list_.camera.pinhole;
+  if (image.value().cols != p.width || image.value().rows != p.height)
+    return inputError("the image is " + sizeText(image.value().cols, image.value().rows) +
+                          " pixels, but " + list_.camera_source + " says " +
+                          sizeText(p.width, p.height),
+                      entry.image.string(), "use the calibration that belongs to these images");
+  return SequenceImage{index, entry.timestamp, image.value()};
+}
+
+Result<cv::Mat> ListSequence::readDepth(int index) {
+  const ImageEntry& entry = list_.entries.at(index);
+  if (entry.depth.empty()) return cv::Mat();
+  auto raw = readImageFile(entry.depth, cv::IMREAD_UNCHANGED);
+  if (!raw) return raw.error();
+  const Pinhole& p = list_.camera.pinhole;
+  const cv::Mat& image = raw.value();
+  if (image.type() != CV_16UC1 || image.cols != p.width || image.rows != p.height)
+    return inputError(
+        "the depth image is not 16-bit grey of " + sizeText(p.width, p.height) + " pixels",
+        entry.depth.string(), "depth images are 16-bit PNG of the camera's size");
+  cv::Mat depth;
+  image.convertTo(depth, CV_32F, 1.0 / list_.depth_scale);
+  return depth;
+}
+
+}  // namespace svoscope

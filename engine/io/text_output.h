@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Files that are either complete or absent, and files that grow line by line.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "engine/base/result.h"
+
+namespace svoscope {
+
+/// Writes `content` under a temporary name beside `file` and renames it, so that a reader never
+/// sees half a file. Output error naming the file; nothing is left behind then.
+Status writeWhole(const std::filesystem::path& file, const std::string& content);
+
+/// Makes `folder` with its parents. Output error if that fails or a file is in the way.
+Status makeFolder(const std::filesystem::path& folder);
+
+/// A text file that is flushed after every line: what was written survives the end of the program.
+class LineFile {
+ public:
+  /// Creates or empties the file. Output error naming it.
+  Status open(const std::filesystem::path& file);
+  /// Appends `line` and a line end. Output error, for example when the disk is full.
+  Status write(const std::string& line);
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream out_;
+};
+
+}  // namespace svoscope

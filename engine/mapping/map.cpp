@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "engine/mapping/map.h"
+
+#include <algorithm>
+
+namespace svoscope {
+
+namespace {
+
+void eraseValue(std::vector<std::int64_t>& values, std::int64_t value) {
+  values.erase(std::remove(values.begin(), values.end(), value), values.end());
+}
+
+}  // namespace
+
+Landmark& Map::addLandmark(const Vec3& p_world, FeatureType type) {
+  Landmark landmark;
+  landmark.id = next_id++;
+  landmark.p_world = p_world;
+  landmark.type = type;
+  return landmarks.emplace(landmark.id, std::move(landmark)).first->second;
+}
+
+void Map::addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor) {
+  landmark.observations.push_back({keyframe.id, anchor});
+  keyframe.landmarks.push_back(landmark.id);
+}
+
+void Map::removeLandmark(std::int64_t id) {
+  const Landmark* landmark = find(id);
+  if (!landmark) return;
+  for (const LandmarkObservation& o : landmark->observations) {
+    if (Keyframe* k = findKeyframe(o.keyframe_id)) eraseValue(k->landmarks, id);
+  }
+  landmarks.erase(id);
+}
+
+void Map::removeKeyframe(int id) {
+  Keyframe* keyframe = findKeyframe(id);
+  if (!keyframe) return;
+  const std::vector<std::int64_t> seen = keyframe->landmarks;
+  keyframes.erase(id);
+  for (const std::int64_t landmark_id : seen) {
+    Landmark* landmark = find(landmark_id);
+    if (!landmark) continue;
+    auto& observations = landmark->observations;
+    observations.erase(std::remove_if(observations.begin(), observations.end(),
+                                      [id](const LandmarkObservation& o) { return o.keyframe_id == id; }),
+                       observations.end());
+    if (observations.size() < 2) removeLandmark(landmark_id);
+  }
+}
+
+int Map::seedCount() const {
+  int count = 0;
+  for (const auto& [id, keyframe] : keyframes) {
+    for (const Seed& seed : keyframe.seeds) {
+      count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
+    }
+  }
+  return count;
+}
+
+const LandmarkObservation* closestView(const Map& map, const Landmark& landmark, const Vec3& c_world,
+                                       double min_cosine) {
+  const Vec3 direction = (c_world - landmark.p_world).normalized();
+  const LandmarkObservation* best = nullptr;
+  double best_cosine = min_cosine;
+  for (const LandmarkObservation& o : landmark.observations) {
+    const auto it = map.keyframes.find(o.keyframe_id);
+    if (it == map.keyframes.end()) continue;
+    const Vec3 c = it->second.T_cam_world.inverse().translation();
+    const double cosine = direction.dot((c - landmark.p_world).normalized());
+    if (cosine > best_cosine) {
+      best_cosine = cosine;
+      best = &o;
+    }
+  }
+  return best;
+}
+
+}  // namespace svoscope

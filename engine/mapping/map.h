@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Keyframes, landmarks and seeds. Owned and changed by the tracking thread alone: the mapping thread
+// gets copies of what it needs and answers with values (mapping_job.h).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/frame/pyramid.h"
+#include "engine/geometry/camera.h"
+#include "engine/geometry/se3.h"
+#include "engine/mapping/depth_filter.h"
+#include "engine/snapshot/snapshot.h"
+
+namespace svoscope {
+
+/// A pixel with its patch: what a keyframe saw.
+struct FeatureAnchor {
+  Vec2 px = Vec2::Zero();            ///< level 0
+  Vec3 f = Vec3::UnitZ();            ///< unit bearing
+  int level = 0;
+  FeatureType type = FeatureType::corner;
+  Vec2 gradient_dir = Vec2::Zero();  ///< edgelets, unit
+};
+
+struct Seed {
+  std::int64_t id = -1;
+  int keyframe_id = -1;
+  FeatureAnchor anchor;              ///< in its keyframe
+  Belief belief;
+  double range = 1;                  ///< R, 1/map unit
+  double score = 0;                  ///< of the detector
+  SeedStatus status = SeedStatus::active;
+  SearchOutcome outcome = SearchOutcome::none;  ///< of the last frame
+  int updates = 0, failures = 0;
+  int last_frame = -1;               ///< last frame with a successful measurement
+  double last_x = 0, last_tau = 0;
+};
+
+struct LandmarkObservation {
+  int keyframe_id = -1;
+  FeatureAnchor anchor;
+};
+
+struct Landmark {
+  std::int64_t id = -1;
+  Vec3 p_world = Vec3::Zero();
+  FeatureType type = FeatureType::corner;
+  std::vector<LandmarkObservation> observations;  ///< first: where it was detected
+  double sigma = 0;                  ///< of inverse distance in the first observation
+  int succeeded = 0, failed = 0;     ///< feature alignments
+  double score = 0;
+};
+
+struct Keyframe {
+  int id = -1, frame_index = -1;
+  double timestamp = 0;
+  PyramidPtr pyramid;
+  SE3 T_cam_world;
+  double median_depth = 1, min_depth = 0.5;   ///< z of its features, map units
+  std::vector<std::int64_t> landmarks;        ///< seen in it
+  std::vector<Seed> seeds;
+  cv::Mat thumbnail;                          ///< small blurred float image, zero mean
+};
+
+struct Map {
+  Pinhole camera;
+  std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
+  std::unordered_map<std::int64_t, Landmark> landmarks;
+  std::int64_t next_id = 0;                   ///< of landmarks and seeds
+  int next_keyframe_id = 0;
+
+  Landmark* find(std::int64_t id) {
+    const auto it = landmarks.find(id);
+    return it == landmarks.end() ? nullptr : &it->second;
+  }
+  const Landmark* find(std::int64_t id) const { return const_cast<Map*>(this)->find(id); }
+  Keyframe* findKeyframe(int id) {
+    const auto it = keyframes.find(id);
+    return it == keyframes.end() ? nullptr : &it->second;
+  }
+
+  Landmark& addLandmark(const Vec3& p_world, FeatureType type);
+  void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);
+  void removeLandmark(std::int64_t id);
+  /// Removes the keyframe, its seeds and its observations; landmarks left with fewer than two
+  /// observations go too.
+  void removeKeyframe(int id);
+  int seedCount() const;
+};
+
+/// Observation whose viewing ray is closest to the direction from the camera centre `c_world`;
+/// null if all differ by more than `max_angle_cos` allows.
+const LandmarkObservation* closestView(const Map& map, const Landmark& landmark, const Vec3& c_world,
+                                       double min_cosine);
+
+}  // namespace svoscope

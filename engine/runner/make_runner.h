@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/dataset/sequence.h"
+#include "engine/runner/parameters.h"
+#include "engine/runner/runner.h"
+
+namespace svoscope {
+
+struct RunnerOptions {
+  std::string method = "svo";
+  bool threaded = true;
+  int start = 0;             ///< first frame
+  int max_frames = -1;       ///< -1: to the end
+  Parameters parameters;
+  std::size_t history_budget = 512u << 20;  ///< bytes of snapshots kept
+  /// Off: rows and events only, and a snapshot whenever the run pauses or ends; for runs without
+  /// a viewer.
+  bool publish_snapshots = true;
+};
+
+/// Usage error for an unknown method, input error for an empty sequence.
+Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& options);
+
+}  // namespace svoscope

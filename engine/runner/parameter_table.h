@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The table behind parameters.h: key, field, unit, meaning, bounds.
+#pragma once
+
+#include "engine/runner/parameters.h"
+
+namespace svoscope {
+
+struct ParameterInfo {
+  const char* key;
+  const char* unit;
+  const char* meaning;
+  double minimum, maximum;
+  bool needs_reset = false;
+};
+
+/// Calls f(info, field) for every parameter; fields are int, double or bool references.
+template <typename P, typename F>
+void visitTracking(P& p, F&& f) {
+  auto& t = p.tracker;
+  f(ParameterInfo{"align.max_level", "level", "coarsest pyramid level of sparse alignment", 0, 7}, t.alignment.max_level);
+  f(ParameterInfo{"align.min_level", "level", "finest pyramid level of sparse alignment", 0, 7}, t.alignment.min_level);
+  f(ParameterInfo{"align.max_iterations", "", "Gauss-Newton steps per level", 1, 100}, t.alignment.max_iterations);
+  f(ParameterInfo{"align.estimate_gain", "", "estimate brightness gain and offset of the frame", 0, 1}, t.alignment.estimate_gain);
+  f(ParameterInfo{"align.max_patches", "", "patches used at most", 10, 2000}, t.alignment.max_patches);
+  f(ParameterInfo{"reproject.cell_px", "px", "grid cell at 640 px width", 8, 200}, t.reproject.cell_px);
+  f(ParameterInfo{"reproject.max_features", "", "matches after which a frame is full", 20, 2000}, t.reproject.max_features);
+  f(ParameterInfo{"reproject.local_keyframes", "", "nearest overlapping keyframes searched", 1, 50}, t.reproject.local_keyframes);
+  f(ParameterInfo{"reproject.max_view_angle_deg", "deg", "between reference and current view of a landmark", 5, 89}, t.reproject.max_view_angle_deg);
+  f(ParameterInfo{"reproject.max_shift_px", "px", "alignment may move from the prediction, search level", 1, 100}, t.reproject.max_shift_px);
+  f(ParameterInfo{"reproject.max_failures", "", "failed alignments before a landmark is deleted", 1, 1000}, t.reproject.max_failures);
+  f(ParameterInfo{"reproject.unconverged_seeds", "", "track seeds before they converge", 0, 1}, t.reproject.unconverged_seeds);
+  f(ParameterInfo{"reproject.max_tries", "", "alignments per frame at most", 20, 5000}, t.reproject.max_tries);
+  f(ParameterInfo{"pose.max_iterations", "", "Gauss-Newton steps of pose refinement", 1, 100}, t.pose.max_iterations);
+  f(ParameterInfo{"pose.max_error_px", "px", "reprojection error of an inlier, times 2^level", 0.1, 50}, t.pose.max_error_px);
+  f(ParameterInfo{"pose.edgelet_sigma", "", "noise of an edgelet relative to a corner", 0.1, 20}, t.pose.edgelet_sigma);
+  f(ParameterInfo{"pose.seed_sigma", "", "noise of an unconverged seed relative to a landmark", 0.1, 20}, t.pose.seed_sigma);
+  f(ParameterInfo{"keyframe.enough_landmarks", "", "no keyframe above", 10, 2000}, t.keyframe.enough_landmarks);
+  f(ParameterInfo{"keyframe.few_landmarks", "", "keyframe at once below", 0, 2000}, t.keyframe.few_landmarks);
+  f(ParameterInfo{"keyframe.min_frames", "", "frames between keyframes", 1, 1000}, t.keyframe.min_frames);
+  f(ParameterInfo{"keyframe.min_displacement_px", "px", "median motion since the last keyframe, at 640 px width", 0, 500}, t.keyframe.min_displacement_px);
+  f(ParameterInfo{"keyframe.min_angle_deg", "deg", "rotation to the nearest keyframe", 0, 180}, t.keyframe.min_angle_deg);
+  f(ParameterInfo{"keyframe.min_distance", "", "distance to the nearest keyframe over median depth", 0, 10}, t.keyframe.min_distance);
+  f(ParameterInfo{"keyframe.max_keyframes", "", "kept in the map", 2, 100000}, t.keyframe.max_keyframes);
+}
+
+template <typename P, typename F>
+void visitMapping(P& p, F&& f) {
+  auto& t = p.tracker;
+  auto& m = t.mapping;
+  f(ParameterInfo{"detect.cell_px", "px", "grid cell for new features, at 640 px width", 8, 200}, m.detector.cell_px);
+  f(ParameterInfo{"detect.fast_threshold", "grey", "FAST corner threshold", 1, 100}, m.detector.fast_threshold);
+  f(ParameterInfo{"detect.corner_levels", "", "pyramid levels searched for corners", 1, 6}, m.detector.corner_levels);
+  f(ParameterInfo{"detect.min_corner_score", "grey/px", "root of the smaller eigenvalue", 0, 100}, m.detector.min_corner_score);
+  f(ParameterInfo{"detect.min_edge_gradient", "grey/px", "edgelet gradient, 0 for none", 0, 100}, m.detector.min_edge_gradient);
+  f(ParameterInfo{"search.sigmas", "", "half width of the epipolar search in standard deviations", 0.5, 10}, m.search.search_sigmas);
+  f(ParameterInfo{"search.step_px", "px", "between samples on the epipolar line", 0.1, 4}, m.search.step_px);
+  f(ParameterInfo{"search.max_samples", "", "samples on a long line", 10, 2000}, m.search.max_samples);
+  f(ParameterInfo{"search.max_score", "grey^2", "zero-mean SSD per pixel of an accepted match", 1, 20000}, m.search.max_score);
+  f(ParameterInfo{"search.min_edge_cosine", "", "between edgelet gradient and epipolar line", 0, 1}, m.search.min_edge_cosine);
+  f(ParameterInfo{"search.min_parallax_deg", "deg", "between the two rays of a match", 0, 10}, m.search.min_parallax_deg);
+  f(ParameterInfo{"search.pixel_noise", "px", "noise of a match along the line", 0.05, 10}, m.search.pixel_noise);
+  f(ParameterInfo{"match.max_iterations", "", "Lucas-Kanade steps of feature alignment", 1, 100}, m.alignment.max_iterations);
+  f(ParameterInfo{"match.min_step_px", "px", "feature alignment converged below", 0.001, 1}, m.alignment.min_step_px);
+  f(ParameterInfo{"match.max_error", "grey", "RMS residual of an accepted alignment", 1, 255}, m.alignment.max_mean_error);
+  f(ParameterInfo{"match.estimate_gain", "", "brightness gain of every patch, besides the offset", 0, 1}, m.alignment.estimate_gain);
+  f(ParameterInfo{"filter.initial_ab", "", "Beta parameters of a new seed", 1, 1000}, m.filter.initial_ab);
+  f(ParameterInfo{"filter.initial_sigma", "", "standard deviation of a new seed over its range", 0.01, 1}, m.filter.initial_sigma_fraction);
+  f(ParameterInfo{"filter.converged_sigma", "", "converged below this share of the range", 1e-5, 0.2}, m.filter.converged_fraction);
+  f(ParameterInfo{"filter.min_inlier_ratio", "", "a/(a+b) of a converged seed", 0, 1}, m.filter.min_inlier_ratio);
+  f(ParameterInfo{"filter.reject_inlier_ratio", "", "a/(a+b) below which a seed is rejected", 0, 1}, m.filter.reject_inlier_ratio);
+  f(ParameterInfo{"filter.max_seeds", "", "new seeds per keyframe", 10, 5000}, m.filter.max_seeds_per_keyframe);
+}
+
+template <typename P, typename F>
+void visitQuality(P& p, F&& f) {
+  auto& t = p.tracker;
+  f(ParameterInfo{"quality.min_inliers", "", "fewer after pose refinement: lost", 5, 1000}, t.quality.min_inliers);
+  f(ParameterInfo{"quality.min_inlier_fraction", "", "share of matches that must be inliers", 0, 1}, t.quality.min_inlier_fraction);
+  f(ParameterInfo{"quality.relocalized_inliers", "", "inliers that confirm a relocalization", 5, 1000}, t.quality.relocalized_inliers);
+  f(ParameterInfo{"quality.reset_lost_frames", "frames", "a young map is given up after", 1, 100000}, t.quality.reset_lost_frames);
+  f(ParameterInfo{"quality.structure_iterations", "", "Gauss-Newton steps per landmark and frame", 0, 50}, t.quality.structure_iterations);
+  f(ParameterInfo{"relocalize.candidates", "", "keyframes tried per frame", 1, 50}, t.relocalize.candidates);
+  f(ParameterInfo{"relocalize.min_similarity", "", "correlation of the small images", -1, 1}, t.relocalize.min_similarity);
+}
+
+template <typename P, typename F>
+void visitParameters(P& p, F&& f) {
+  visitTracking(p, f);
+  visitMapping(p, f);
+  visitQuality(p, f);
+}
+
+}  // namespace svoscope

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "engine/runner/parameters.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <charconv>
+#include <type_traits>
+
+#include "engine/runner/parameter_table.h"
+
+namespace svoscope {
+
+namespace {
+
+template <typename T>
+std::string textOf(const T& value) {
+  if constexpr (std::is_same_v<T, bool>) return value ? "true" : "false";
+  else return fmt::format("{}", value);
+}
+
+bool parse(const std::string& text, bool& value) {
+  for (const char* yes : {"true", "on", "yes", "1"}) {
+    if (text == yes) return value = true, true;
+  }
+  for (const char* no : {"false", "off", "no", "0"}) {
+    if (text == no) return value = false, true;
+  }
+  return false;
+}
+
+template <typename T>
+bool parse(const std::string& text, T& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end && std::isfinite(static_cast<double>(value));
+}
+
+template <typename T>
+constexpr const char* typeName() {
+  if constexpr (std::is_same_v<T, bool>) return "bool";
+  else if constexpr (std::is_integral_v<T>) return "int";
+  else return "float";
+}
+
+std::string known(Parameters& parameters, const std::string& key) {
+  // The keys of the same group help more than all of them.
+  const std::string group = key.substr(0, key.find('.') + 1);
+  std::string same, groups;
+  visitParameters(parameters, [&](const ParameterInfo& info, auto&) {
+    const std::string name = info.key;
+    const std::string its_group = name.substr(0, name.find('.'));
+    if (!group.empty() && name.rfind(group, 0) == 0) same += (same.empty() ? "" : ", ") + name;
+    if (groups.find(its_group) == std::string::npos) groups += (groups.empty() ? "" : ", ") + its_group;
+  });
+  return same.empty() ? "groups are " + groups : "known are " + same;
+}
+
+}  // namespace
+
+Status setParameter(Parameters& parameters, const std::string& key, const std::string& value) {
+  std::optional<Status> outcome;
+  visitParameters(parameters, [&](const ParameterInfo& info, auto& field) {
+    if (key != info.key) return;
+    auto parsed = field;
+    const bool is_bool = std::is_same_v<std::decay_t<decltype(field)>, bool>;
+    if (!parse(value, parsed)) {
+      outcome = usageError(fmt::format("'{}' is not a valid {}", value, typeName<std::decay_t<decltype(field)>>()), key,
+                           is_bool ? "use true or false" : "use a number");
+    } else if (!is_bool && (static_cast<double>(parsed) < info.minimum || static_cast<double>(parsed) > info.maximum)) {
+      outcome = usageError(fmt::format("{} is out of bounds", value), key,
+                           fmt::format("allowed are {} to {} {}", info.minimum, info.maximum, info.unit));
+    } else {
+      field = parsed;
+      outcome = Status(Done{});
+    }
+  });
+  if (outcome) return *outcome;
+  return usageError("unknown parameter", key, known(parameters, key));
+}
+
+std::vector<ParameterView> listParameters(const Parameters& parameters) {
+  std::vector<ParameterView> views;
+  visitParameters(parameters, [&](const ParameterInfo& info, const auto& field) {
+    ParameterView view;
+    view.key = info.key;
+    view.value = textOf(field);
+    view.unit = info.unit;
+    view.meaning = info.meaning;
+    view.type = typeName<std::decay_t<decltype(field)>>();
+    view.minimum = info.minimum;
+    view.maximum = info.maximum;
+    view.needs_reset = info.needs_reset;
+    views.push_back(std::move(view));
+  });
+  const Parameters defaults;
+  std::size_t i = 0;
+  visitParameters(defaults, [&](const ParameterInfo&, const auto& field) { views[i++].default_value = textOf(field); });
+  return views;
+}
+
+Status loadParameters(Parameters& parameters, const std::filesystem::path& file) {
+  const std::string where = file.string();
+  try {
+    const YAML::Node root = YAML::LoadFile(where);
+    if (!root.IsMap()) return inputError("is not a map of parameter groups", where, "write 'reproject:' and below it 'cell_px: 30'");
+    for (const auto& group : root) {
+      const auto name = group.first.as<std::string>();
+      // What parametersYaml adds for the record.
+      if (name == "method") continue;
+      if (!group.second.IsMap()) return inputError("group '" + name + "' is not a map", where, known(parameters, name));
+      for (const auto& entry : group.second) {
+        const Status set = setParameter(parameters, name + "." + entry.first.as<std::string>(), entry.second.as<std::string>());
+        if (!set.ok()) {
+          Error error = set.error();
+          error.kind = ErrorKind::input;
+          error.where = where + ", " + error.where;
+          return error;
+        }
+      }
+    }
+  } catch (const YAML::BadFile&) {
+    return inputError("cannot be read", where, "check the path and its permissions");
+  } catch (const YAML::Exception& e) {
+    return inputError(e.what(), where, "write YAML groups such as 'reproject: {cell_px: 30}'");
+  }
+  return Done{};
+}
+
+std::string parametersYaml(const Parameters& parameters, const std::string& method) {
+  std::string text = fmt::format("method: {}\n", method);
+  std::string group;
+  for (const ParameterView& view : listParameters(parameters)) {
+    const auto dot = view.key.find('.');
+    if (view.key.substr(0, dot) != group) {
+      group = view.key.substr(0, dot);
+      text += group + ":\n";
+    }
+    text += fmt::format("  {}: {}\n", view.key.substr(dot + 1), view.value);
+  }
+  return text;
+}
+
+}  // namespace svoscope

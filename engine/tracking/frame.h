@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The current frame and what is tracked in it.
+#pragma once
+
+#include <vector>
+
+#include "engine/mapping/map.h"
+
+namespace svoscope {
+
+struct TrackedFeature {
+  FeatureOrigin origin = FeatureOrigin::landmark;
+  std::int64_t id = -1;              ///< landmark or seed
+  int keyframe_id = -1;              ///< reference view of the patch
+  FeatureAnchor anchor;              ///< measured in this frame
+  Vec2 predicted_px = Vec2::Zero();  ///< where it was projected before alignment
+  Vec3 p_world = Vec3::Zero();
+  FeatureStatus status = FeatureStatus::inlier;
+  double error_px = 0;               ///< reprojection error after pose refinement
+};
+
+struct Frame {
+  int index = -1;
+  double timestamp = 0;
+  PyramidPtr pyramid;
+  SE3 T_cam_world;
+  std::vector<TrackedFeature> features;
+};
+
+}  // namespace svoscope

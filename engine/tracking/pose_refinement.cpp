@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "engine/tracking/pose_refinement.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/tracking/sparse_alignment.h"
+
+namespace svoscope {
+
+namespace {
+
+constexpr double kTukey = 4.685;
+constexpr double kBehind = 1e9;  // error of a point behind the camera
+
+struct Residual {
+  Vec2 e = Vec2::Zero();   ///< measured - projected, px; edgelets: (along gradient, 0)
+  bool valid = false;
+};
+
+Residual residualOf(const Pinhole& camera, const PoseObservation& o, const SE3& T_cam_world) {
+  Residual r;
+  const Vec3 p = T_cam_world * o.p_world;
+  if (p.z() < 1e-3) return r;
+  r.e = o.px - camera.project(p);
+  if (o.type == FeatureType::edgelet) r.e = Vec2(o.gradient_dir.dot(r.e), 0);
+  r.valid = r.e.allFinite();
+  return r;
+}
+
+double sigmaOf(const PoseObservation& o, const PoseRefinementParameters& p) {
+  double sigma = 1 << o.level;
+  if (o.type == FeatureType::edgelet) sigma *= p.edgelet_sigma;
+  if (o.unconverged) sigma *= p.seed_sigma;
+  return sigma;
+}
+
+double medianOf(std::vector<double> v) {
+  if (v.empty()) return 0;
+  auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
+double robustScale(const Pinhole& camera, const std::vector<PoseObservation>& observations,
+                   const SE3& T, const PoseRefinementParameters& p) {
+  std::vector<double> errors;
+  for (const PoseObservation& o : observations) {
+    const Residual r = residualOf(camera, o, T);
+    if (r.valid) errors.push_back(r.e.norm() / sigmaOf(o, p));
+  }
+  return std::max(p.min_scale_px, 1.48 * medianOf(std::move(errors)));
+}
+
+double tukeyWeight(double x) {
+  const double u = x / kTukey;
+  if (u >= 1) return 0;
+  const double v = 1 - u * u;
+  return v * v;
+}
+
+struct NormalEquations {
+  Mat6 H = Mat6::Zero();
+  Vec6 b = Vec6::Zero();
+};
+
+NormalEquations linearize(const Pinhole& camera, const std::vector<PoseObservation>& observations,
+                          const SE3& T, double scale, const PoseRefinementParameters& p) {
+  NormalEquations n;
+  for (const PoseObservation& o : observations) {
+    const Residual r = residualOf(camera, o, T);
+    if (!r.valid) continue;
+    const double s = scale * sigmaOf(o, p);
+    const double w = tukeyWeight(r.e.norm() / s) / (s * s);
+    if (w <= 0) continue;
+    const Mat26 J = pixelTwistJacobian(camera, T * o.p_world);
+    if (o.type == FeatureType::edgelet) {
+      const Eigen::Matrix<double, 1, 6> j = o.gradient_dir.transpose() * J;
+      n.H += w * j.transpose() * j;
+      n.b += w * j.transpose() * r.e.x();
+    } else {
+      n.H += w * J.transpose() * J;
+      n.b += w * J.transpose() * r.e;
+    }
+  }
+  return n;
+}
+
+void classify(const Pinhole& camera, const std::vector<PoseObservation>& observations,
+              const PoseRefinementParameters& p, PoseRefinementResult& result) {
+  std::vector<double> inlier_errors;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const PoseObservation& o = observations[i];
+    const Residual r = residualOf(camera, o, result.T_cam_world);
+    const double e = r.valid ? r.e.norm() : kBehind;
+    result.error_px[i] = e;
+    result.inlier[i] = e <= p.max_error_px * (1 << o.level);
+    if (result.inlier[i]) inlier_errors.push_back(e);
+  }
+  result.inliers = static_cast<int>(inlier_errors.size());
+  result.median_px = medianOf(std::move(inlier_errors));
+}
+
+}  // namespace
+
+PoseRefinementResult refinePose(const Pinhole& camera, const std::vector<PoseObservation>& observations,
+                                const SE3& T_init, const PoseRefinementParameters& p) {
+  PoseRefinementResult result;
+  result.T_cam_world = T_init;
+  result.error_px.assign(observations.size(), 0);
+  result.inlier.assign(observations.size(), 0);
+  if (observations.size() < 6) return result;
+  result.scale_px = robustScale(camera, observations, T_init, p);
+  for (int it = 0; it < p.max_iterations; ++it) {
+    // The initial errors hold the prediction's error too: take the scale again once it is gone.
+    if (it == 3) result.scale_px = robustScale(camera, observations, result.T_cam_world, p);
+    const NormalEquations n = linearize(camera, observations, result.T_cam_world, result.scale_px, p);
+    Mat6 damped = n.H;
+    damped.diagonal() *= 1.0 + 1e-9;
+    const Vec6 step = damped.ldlt().solve(n.b);
+    if (!step.allFinite()) return result;
+    result.T_cam_world = SE3::exp(step) * result.T_cam_world;
+    result.information = n.H;
+    if (it > 3 && step.norm() < 1e-8) break;
+  }
+  result.ok = result.T_cam_world.finite();
+  classify(camera, observations, p, result);
+  return result;
+}
+
+}  // namespace svoscope

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Finds the camera again after a loss: keyframes ranked by the look of a small blurred image, then
+// aligned to and verified on the map by the caller.
+#pragma once
+
+#include <vector>
+
+#include "engine/mapping/map.h"
+#include "engine/tracking/sparse_alignment.h"
+
+namespace svoscope {
+
+struct RelocalizerParameters {
+  int candidates = 4;              ///< keyframes tried per frame
+  double min_similarity = 0.35;    ///< correlation of the small images, -1 .. 1
+  int min_patches = 25;            ///< visible after alignment
+};
+
+/// Small image for ranking: about 40 px wide, blurred, zero mean and unit norm; CV_32F.
+cv::Mat makeThumbnail(const Pyramid& pyramid);
+
+struct RelocalizationCandidate {
+  int keyframe_id = -1;
+  double similarity = 0;
+  SE3 T_cam_world;                 ///< after alignment to the keyframe
+};
+
+/// Keyframes similar to the image, each with an aligned pose, best first.
+std::vector<RelocalizationCandidate> relocalizationCandidates(
+    const Map& map, const Pyramid& pyramid, const SparseAlignmentParameters& alignment,
+    const RelocalizerParameters& parameters);
+
+/// Patches of a keyframe's landmarks and converged seeds, for aligning a frame to it.
+std::vector<AlignmentPatch> keyframePatches(const Map& map, const Keyframe& keyframe);
+
+}  // namespace svoscope

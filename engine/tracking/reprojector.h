@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Projects landmarks and seeds of the nearby keyframes into the current frame and aligns one per
+// grid cell, best first.
+#pragma once
+
+#include <vector>
+
+#include "engine/mapping/seed_update.h"
+#include "engine/tracking/frame.h"
+
+namespace svoscope {
+
+struct ReprojectorParameters {
+  int cell_px = 30;                 ///< grid cell, px at 640 px width
+  int max_features = 180;           ///< matches after which the frame is full
+  int local_keyframes = 8;          ///< nearest overlapping keyframes searched
+  double max_view_angle_deg = 66;   ///< between the landmark's reference view and the current one
+  double max_shift_px = 16;         ///< alignment ending farther from the prediction is refused, level px
+  int max_failures = 10;            ///< a landmark that fails more often than this is deleted
+  bool unconverged_seeds = true;    ///< track seeds before they converge
+  int max_tries = 500;              ///< alignments per frame
+};
+
+/// Measurement of a seed made while tracking; applied by the tracker once the pose is final.
+struct TrackedSeedMatch {
+  int feature = -1;                 ///< index into the frame's features; -1: search failed
+  std::int64_t seed_id = -1;
+  int keyframe_id = -1;
+  SearchOutcome outcome = SearchOutcome::none;
+};
+
+struct ReprojectionResult {
+  std::vector<TrackedFeature> features;       ///< aligned
+  std::vector<TrackedFeature> failed;         ///< projected and tried without success
+  std::vector<TrackedSeedMatch> seed_matches;
+  std::vector<std::int64_t> failed_landmarks; ///< that reached max_failures
+  std::vector<int> local_keyframes;           ///< ids, nearest first
+  OccupancyGrid occupied;                     ///< cells holding a match
+  int candidates = 0, projected = 0, tried = 0;
+};
+
+/// `frame` brings pyramid and predicted pose. Counts successes and failures of landmarks in `map`.
+ReprojectionResult reprojectMap(Map& map, const Frame& frame, const ReprojectorParameters& parameters,
+                                const MappingParameters& mapping);
+
+/// Ids of the keyframes that share the view of `frame`, nearest first, at most `most`.
+std::vector<int> overlappingKeyframes(const Map& map, const SE3& T_cam_world, int most);
+
+/// Point of a seed in the world, at its current mean.
+Vec3 seedPoint(const Seed& seed, const Keyframe& keyframe);
+
+}  // namespace svoscope

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "engine/tracking/tracker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/stopwatch.h"
+
+namespace svoscope {
+
+namespace {
+
+double& stageMs(FrameRecord& record, Stage s) { return record.time_ms[static_cast<int>(s)]; }
+
+std::vector<AlignmentPatch> patchesOf(const Frame& frame) {
+  std::vector<AlignmentPatch> patches;
+  patches.reserve(frame.features.size());
+  for (const TrackedFeature& f : frame.features) {
+    if (f.status != FeatureStatus::inlier) continue;
+    const Vec3 p = frame.T_cam_world * f.p_world;
+    if (p.z() > 0) patches.push_back({f.anchor.px, f.anchor.f * p.norm()});
+  }
+  return patches;
+}
+
+std::vector<PoseObservation> observationsOf(const std::vector<TrackedFeature>& features) {
+  std::vector<PoseObservation> observations;
+  observations.reserve(features.size());
+  for (const TrackedFeature& f : features) {
+    observations.push_back({f.anchor.px, f.p_world, f.anchor.level, f.anchor.type, f.anchor.gradient_dir,
+                            f.origin == FeatureOrigin::unconverged_seed});
+  }
+  return observations;
+}
+
+/// Motion of the last frame before the start's current one, if the start knows it.
+SE3 startVelocity(const InitializerOutput& start) {
+  const auto& poses = start.poses;
+  if (poses.size() < 2) return SE3();
+  const InitializerPose& last = poses[poses.size() - 2];
+  const InitializerPose& current = poses.back();
+  if (current.frame_index != last.frame_index + 1) return SE3();
+  return current.T_frame_ref * last.T_frame_ref.inverse();
+}
+
+}  // namespace
+
+struct Tracker::Attempt {
+  const char* from = "";
+  SparseAlignmentResult aligned;
+  ReprojectionResult reprojected;
+  PoseRefinementResult pose;
+  SE3 T_cam_world;
+  std::string failure;             ///< empty if accepted
+};
+
+Tracker::Tracker(const Pinhole& camera, const TrackerParameters& parameters) : parameters_(parameters) {
+  map_.camera = camera;
+  reset();
+}
+
+void Tracker::reset() {
+  const Pinhole camera = map_.camera;
+  map_ = Map{};
+  map_.camera = camera;
+  initializer_ = std::make_unique<Initializer>(camera, parameters_.start);
+  start_output_ = {};
+  state_ = TrackingState::initializing;
+  frame_ = last_ = Frame{};
+  T_velocity_ = T_last_good_ = SE3();
+  job_.reset();
+  local_keyframes_.clear();
+  lost_frames_ = 0;
+  last_keyframe_frame_ = latest_keyframe_ = -1;
+}
+
+const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& gray) {
+  Stopwatch total;
+  record_ = FrameRecord{};
+  record_.index = index;
+  record_.timestamp = timestamp;
+  events_.clear();
+  failed_features_.clear();
+  measured_seeds_.clear();
+  dropEndedSeeds();
+
+  last_ = std::move(frame_);
+  frame_ = Frame{};
+  frame_.index = index;
+  frame_.timestamp = timestamp;
+  Stopwatch watch;
+  frame_.pyramid = buildPyramid(gray, pyramidLevels(gray.cols));
+  stageMs(record_, Stage::pyramid) = watch.ms();
+
+  switch (state_) {
+    case TrackingState::initializing: initialize(); break;
+    case TrackingState::tracking: trackFrame(); break;
+    case TrackingState::lost: relocalize(); break;
+  }
+  finishRecord();
+  stageMs(record_, Stage::tracking) = total.ms();
+  return record_;
+}
+
+void Tracker::initialize() {
+  Stopwatch watch;
+  start_output_ = initializer_->process({frame_.index, frame_.timestamp, frame_.pyramid});
+  record_.disparity_tracks = start_output_.tracks_alive;
+  record_.disparity_px = start_output_.disparity_px;
+  record_.reason = start_output_.reason;
+  if (start_output_.initialized) {
+    buildMap(start_output_);
+    T_last_good_ = frame_.T_cam_world;
+    T_velocity_ = startVelocity(start_output_);
+    state_ = TrackingState::tracking;
+    record_.pose_good = true;
+    event(EventKind::initialized, "started: " + start_output_.reason);
+    insertKeyframe("second view of the start");
+    requestMeasurements();
+  }
+  stageMs(record_, Stage::initialize) = watch.ms();
+}
+
+void Tracker::trackFrame() {
+  const auto& p = parameters_;
+  const auto patches = patchesOf(last_);
+  const int top = std::min<int>(p.alignment.max_level, static_cast<int>(frame_.pyramid->size()) - 1);
+  Stopwatch watch;
+  const double moving = photometricError(*last_.pyramid, *frame_.pyramid, map_.camera, patches, T_velocity_, top);
+  const double still = photometricError(*last_.pyramid, *frame_.pyramid, map_.camera, patches, SE3(), top);
+  stageMs(record_, Stage::sparse_align) += watch.ms();
+  const bool use_velocity = moving <= still;
+
+  Attempt best = alignAndAttempt(use_velocity ? T_velocity_ : SE3(), use_velocity ? "constant velocity" : "standing");
+  if (!accept(best, p.quality.min_inliers)) {
+    Attempt other = alignAndAttempt(use_velocity ? SE3() : T_velocity_, use_velocity ? "standing" : "constant velocity");
+    if (accept(other, p.quality.min_inliers)) {
+      best = std::move(other);
+    } else {
+      lose(best.failure);
+      return;
+    }
+  }
+  frame_.T_cam_world = best.T_cam_world;
+  T_velocity_ = frame_.T_cam_world * last_.T_cam_world.inverse();
+  T_last_good_ = frame_.T_cam_world;
+  record_.pose_good = true;
+  record_.reason = "tracking";
+
+  watch.lapMs();
+  commitSeedMatches(best.reprojected.seed_matches);
+  refineStructure();
+  stageMs(record_, Stage::structure) = watch.lapMs();
+  const KeyframeDecision decision = considerKeyframe();
+  record_.keyframe_reason = decision.reason;
+  if (decision.take) insertKeyframe(decision.reason);
+  requestMeasurements();
+  stageMs(record_, Stage::keyframe) = watch.lapMs();
+}
+
+Tracker::Attempt Tracker::alignAndAttempt(const SE3& T_cur_prev, const char* from) {
+  Stopwatch watch;
+  const SparseAlignmentResult aligned = alignSparse(*last_.pyramid, *frame_.pyramid, map_.camera, patchesOf(last_),
+                                                    T_cur_prev, parameters_.alignment);
+  stageMs(record_, Stage::sparse_align) += watch.ms();
+  Attempt a = attempt((aligned.ok ? aligned.T_cur_ref : T_cur_prev) * last_.T_cam_world, from);
+  a.aligned = aligned;
+  return a;
+}
+
+Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from) {
+  Attempt a;
+  a.from = from;
+  Stopwatch watch;
+  frame_.T_cam_world = T_cam_world;
+  a.reprojected = reprojectMap(map_, frame_, parameters_.reproject, parameters_.mapping);
+  stageMs(record_, Stage::reproject) += watch.lapMs();
+  a.pose = refinePose(map_.camera, observationsOf(a.reprojected.features), T_cam_world, parameters_.pose);
+  stageMs(record_, Stage::pose) += watch.lapMs();
+  a.T_cam_world = a.pose.T_cam_world;
+  return a;
+}
+
+/// Judges an attempt; if good, its features become the frame's and its numbers the record's.
+bool Tracker::accept(Attempt& a, int required) {
+  const int matched = static_cast<int>(a.reprojected.features.size());
+  record_.align_rmse = a.aligned.rmse;
+  record_.gain = a.aligned.gain;
+  record_.offset = a.aligned.offset;
+  Funnel& funnel = record_.funnel;
+  funnel.aligned_sparse = a.aligned.patches;
+  funnel.candidates = a.reprojected.candidates;
+  funnel.projected = a.reprojected.projected;
+  funnel.tried = a.reprojected.tried;
+  funnel.matched = matched;
+  funnel.inliers = a.pose.inliers;
+  funnel.required = required;
+  failed_features_ = a.reprojected.failed;
+  local_keyframes_ = a.reprojected.local_keyframes;
+  if (matched < required) {
+    a.failure = fmt::format("{} features matched of {} tried, {} required", matched, a.reprojected.tried, required);
+  } else if (!a.pose.ok || a.pose.inliers < required) {
+    a.failure = fmt::format("{} inliers of {} matched, {} required", a.pose.inliers, matched, required);
+  } else if (a.pose.inliers < parameters_.quality.min_inlier_fraction * matched) {
+    a.failure = fmt::format("{} inliers are under {:.0f} % of {} matched", a.pose.inliers,
+                            100 * parameters_.quality.min_inlier_fraction, matched);
+  }
+  if (!a.failure.empty()) return false;
+  for (std::size_t i = 0; i < a.reprojected.features.size(); ++i) {
+    TrackedFeature& f = a.reprojected.features[i];
+    f.error_px = a.pose.error_px[i];
+    f.status = a.pose.inlier[i] ? FeatureStatus::inlier : FeatureStatus::outlier;
+  }
+  frame_.features = a.reprojected.features;
+  occupied_ = a.reprojected.occupied;
+  for (const std::int64_t id : a.reprojected.failed_landmarks) map_.removeLandmark(id);
+  return true;
+}
+
+void Tracker::lose(const std::string& reason) {
+  state_ = TrackingState::lost;
+  lost_frames_ = 0;
+  frame_.T_cam_world = T_last_good_;
+  T_velocity_ = SE3();
+  record_.reason = reason;
+  event(EventKind::lost, "lost: " + reason);
+}
+
+void Tracker::relocalize() {
+  Stopwatch watch;
+  ++lost_frames_;
+  frame_.T_cam_world = T_last_good_;
+  const bool fresh = static_cast<int>(map_.keyframes.size()) <= parameters_.quality.fresh_map_keyframes;
+  if (fresh && lost_frames_ > parameters_.quality.reset_lost_frames) {
+    event(EventKind::reset, "the young map was given up, starting again");
+    const Frame current = frame_;
+    reset();
+    frame_ = current;
+    initialize();
+    return;
+  }
+  auto candidates = relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment, parameters_.relocalize);
+  std::string failure = "no keyframe looks like this frame";
+  for (const RelocalizationCandidate& c : candidates) {
+    Attempt a = attempt(c.T_cam_world, "relocalization");
+    // Once more from the refined pose: the first pass finds only what lay near its prediction.
+    if (a.pose.inliers >= parameters_.quality.min_inliers) a = attempt(a.T_cam_world, "relocalization");
+    if (accept(a, parameters_.quality.relocalized_inliers)) {
+      frame_.T_cam_world = T_last_good_ = a.T_cam_world;
+      T_velocity_ = SE3();
+      state_ = TrackingState::tracking;
+      record_.pose_good = record_.relocalized = true;
+      record_.reason = fmt::format("relocalized on keyframe {}", c.keyframe_id);
+      event(EventKind::relocalized, fmt::format("{} after {} frames", record_.reason, lost_frames_));
+      commitSeedMatches(a.reprojected.seed_matches);
+      requestMeasurements();
+      stageMs(record_, Stage::relocalize) = watch.ms();
+      return;
+    }
+    failure = fmt::format("keyframe {}: {}", c.keyframe_id, a.failure);
+  }
+  frame_.T_cam_world = T_last_good_;
+  record_.reason = "lost, " + failure;
+  stageMs(record_, Stage::relocalize) = watch.ms();
+}
+
+void Tracker::event(EventKind kind, std::string text) {
+  events_.push_back({record_.index, kind, std::move(text)});
+}
+
+void Tracker::finishRecord() {
+  record_.state = state_;
+  record_.T_world_cam = frame_.T_cam_world.inverse();
+  Funnel& funnel = record_.funnel;
+  std::vector<double> errors;
+  for (const TrackedFeature& f : frame_.features) {
+    if (f.status != FeatureStatus::inlier) continue;
+    errors.push_back(f.error_px);
+    ++(f.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
+    funnel.inlier_edgelets += f.anchor.type == FeatureType::edgelet;
+    funnel.inlier_segments += f.anchor.type == FeatureType::segment;
+  }
+  if (!errors.empty()) {
+    auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    record_.reprojection_px = *middle;
+  }
+  double near = 0;
+  depthStatistics(frame_, record_.median_depth, near);
+  record_.landmarks = static_cast<int>(map_.landmarks.size());
+  record_.seeds = map_.seedCount();
+  record_.keyframes = static_cast<int>(map_.keyframes.size());
+}
+
+}  // namespace svoscope

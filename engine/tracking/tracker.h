@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The odometry: one call registers a frame. No threads: the mapping job of a frame is taken from
+// it and its result given back, by whoever runs it (engine/runner).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/mapping/seed_update.h"
+#include "engine/snapshot/frame_record.h"
+#include "engine/tracking/frame.h"
+#include "engine/tracking/initializer.h"
+#include "engine/tracking/keyframe_policy.h"
+#include "engine/tracking/pose_refinement.h"
+#include "engine/tracking/relocalizer.h"
+#include "engine/tracking/reprojector.h"
+#include "engine/tracking/sparse_alignment.h"
+
+namespace svoscope {
+
+struct QualityParameters {
+  int min_inliers = 20;            ///< fewer after pose refinement: lost
+  double min_inlier_fraction = 0.4;  ///< of the matched features; below: lost
+  int relocalized_inliers = 30;    ///< needed to accept a relocalisation
+  int reset_lost_frames = 10;      ///< lost for this long with a fresh map: start again
+  int fresh_map_keyframes = 3;     ///< a map with at most this many keyframes is fresh
+  int structure_iterations = 5;    ///< Gauss-Newton steps per landmark and frame
+};
+
+struct TrackerParameters {
+  InitializerParameters start;
+  SparseAlignmentParameters alignment;
+  ReprojectorParameters reproject;
+  PoseRefinementParameters pose;
+  KeyframeParameters keyframe;
+  QualityParameters quality;
+  RelocalizerParameters relocalize;
+  MappingParameters mapping;
+};
+
+class Tracker {
+ public:
+  Tracker(const Pinhole& camera, const TrackerParameters& parameters);
+
+  /// Registers the next frame. `gray` is rectified, CV_8UC1, and is kept: the caller must not write it.
+  const FrameRecord& process(int index, double timestamp, const cv::Mat& gray);
+
+  /// Work for the mapping thread caused by the last frame, if any.
+  std::optional<MappingJob> takeMappingJob();
+  /// Applies what the mapping thread found, also for an older frame.
+  void applyMapping(const MappingResult& result);
+  /// Forgets map and motion, keeps the parameters.
+  void reset();
+
+  void setParameters(const TrackerParameters& parameters) { parameters_ = parameters; }
+  const TrackerParameters& parameters() const { return parameters_; }
+
+  const FrameRecord& record() const { return record_; }
+  const Frame& frame() const { return frame_; }
+  const Map& map() const { return map_; }
+  /// Features that were tried in the last frame without success, for display.
+  const std::vector<TrackedFeature>& failedFeatures() const { return failed_features_; }
+  const std::vector<Event>& events() const { return events_; }
+  const InitializerOutput& startOutput() const { return start_output_; }
+
+ private:
+  struct Attempt;  ///< one try to register the frame from a predicted pose
+
+  void initialize();
+  void trackFrame();
+  void relocalize();
+  Attempt attempt(const SE3& T_cam_world, const char* from);
+  Attempt alignAndAttempt(const SE3& T_cur_prev, const char* from);
+  bool accept(Attempt& a, int required);
+  void lose(const std::string& reason);
+  void finishRecord();
+
+  // Map changes (tracker_map.cpp).
+  void buildMap(const InitializerOutput& start);
+  void commitSeedMatches(const std::vector<TrackedSeedMatch>& matches);
+  void refineStructure();
+  KeyframeDecision considerKeyframe();
+  void insertKeyframe(const std::string& reason);
+  void promoteFeature(TrackedFeature& feature, Keyframe& keyframe);
+  void requestSeeds(const Keyframe& keyframe);
+  void requestMeasurements();
+  void limitKeyframes();
+  void dropEndedSeeds();
+  Seed* findSeed(int keyframe_id, std::int64_t id);
+  void event(EventKind kind, std::string text);
+
+  TrackerParameters parameters_;
+  Map map_;
+  std::unique_ptr<Initializer> initializer_;
+  InitializerOutput start_output_;
+  TrackingState state_ = TrackingState::initializing;
+  Frame frame_, last_;
+  SE3 T_velocity_;                 ///< T_cur_last of the last two good frames
+  SE3 T_last_good_;                ///< T_cam_world of the last good frame
+  FrameRecord record_;
+  std::vector<TrackedFeature> failed_features_;
+  std::vector<Event> events_;
+  std::vector<int> local_keyframes_;
+  OccupancyGrid occupied_;
+  std::optional<MappingJob> job_;
+  std::vector<std::int64_t> measured_seeds_;   ///< by the tracker in this frame, sorted
+  int last_keyframe_frame_ = -1, lost_frames_ = 0;
+  int latest_keyframe_ = -1;
+};
+
+/// Median and 5 % quantile of the depth (z) of the frame's inliers; false if there are none.
+bool depthStatistics(const Frame& frame, double& median, double& near);
+
+}  // namespace svoscope
