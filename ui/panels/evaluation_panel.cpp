@@ -79,7 +79,7 @@ void drawEvaluationPanel(PanelContext& c) {
   if (!s.valid) {
     return emptyState("No error yet", format("Needs three poses with ground truth, has %d", s.matched));
   }
-  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 38;
+  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 34;
   if (wide && ImGui::BeginTable("##columns", 2)) {
     ImGui::TableNextColumn();
     errorRows(s);

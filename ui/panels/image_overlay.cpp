@@ -193,29 +193,43 @@ void drawSeeds(const ImageView& view, const Snapshot& snapshot, const ImageOptio
   }
 }
 
+namespace {
+
+void drawFeature(const ImageView& view, const FeatureView& f, const ImageOptions& options,
+                 ImU32 color, bool selected) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 p = view.toScreen(f.px);
+  if (f.origin == FeatureOrigin::track) {
+    drawStartTrack(view, list, f, color);
+  } else {
+    drawResidual(view, list, f, options, color);
+    drawGlyph(view, list, f, color);
+  }
+  const float r = glyphRadius(view, f);
+  if (selected) highlight(list, p, r);
+  if (!options.ids && !selected) return;
+  const std::string text = format("%lld", static_cast<long long>(f.id));
+  outlinedText(list, {p.x + (selected ? r : 0) + dp(8), p.y - ImGui::GetFontSize() / 2},
+               selected ? ink::selected : color, text.c_str());
+}
+
+}  // namespace
+
 void drawFeatures(const ImageView& view, const Snapshot& snapshot, const ImageOptions& options,
                   const Selection& selection) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
   const ColorScale scale = colorScaleOf(snapshot.features, options.color_by);
+  const FeatureView* on_top = nullptr;
   for (const FeatureView& f : snapshot.features) {
-    const bool selected = selection == selectionOf(f);
-    if (!f.px.allFinite() || (!selected && !shows(options, f))) continue;
-    const ImVec2 p = view.toScreen(f.px);
-    if (f.type != FeatureType::segment && !view.onScreen(p, dp(40))) continue;
-    const ImU32 color = colorOf(f, scale, options.color_by);
-    if (f.origin == FeatureOrigin::track) {
-      drawStartTrack(view, list, f, color);
-    } else {
-      drawResidual(view, list, f, options, color);
-      drawGlyph(view, list, f, color);
+    if (!f.px.allFinite()) continue;
+    if (selection == selectionOf(f)) {
+      on_top = &f;
+      continue;
     }
-    if (selected) highlight(list, p, glyphRadius(view, f));
-    if (options.ids || selected) {
-      const std::string text = format("%lld", static_cast<long long>(f.id));
-      outlinedText(list, {p.x + dp(7), p.y - ImGui::GetFontSize() / 2}, selected ? ink::selected : color,
-                   text.c_str());
-    }
+    if (!shows(options, f)) continue;
+    if (f.type != FeatureType::segment && !view.onScreen(view.toScreen(f.px), dp(40))) continue;
+    drawFeature(view, f, options, colorOf(f, scale, options.color_by), false);
   }
+  if (on_top) drawFeature(view, *on_top, options, colorOf(*on_top, scale, options.color_by), true);
 }
 
 Selection pick(const ImageView& view, const Snapshot& snapshot, const ImageOptions& options,

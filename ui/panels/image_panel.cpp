@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::uint32_t kSlot = 1;
 
-void item(const char* label, bool& value, const char* hint) {
-  sameLineIfFits(buttonWidth(label));
-  toggle(label, value, hint);
-}
-
 void levelChoice(PanelContext& c, int levels) {
   std::vector<std::string> names;
   for (int i = 0; i < levels; ++i) names.push_back(format("Level %d", i));
@@ -40,22 +35,24 @@ void toolbar(PanelContext& c, int levels) {
   if (combo("##color_by", by, colors, ImGui::GetFontSize() * 7.5f, "Colour of the features")) {
     o.color_by = static_cast<ColorBy>(by);
   }
-  item("Corners", o.corners, "Corner features, squares as large as their level");
-  item("Edgelets", o.edgelets, "Edgelets, lines along the edge with a tick along the gradient");
-  item("Segments", o.segments, "Line segments");
-  item("Outliers", o.outliers, "Aligned, but rejected by pose refinement");
-  item("Failed", o.not_aligned, "Projected into the image, but feature alignment failed");
-  item("Residuals", o.residuals, "Sticks from measured towards predicted position, scaled");
-  if (o.residuals) {
-    sameLineIfFits(ImGui::GetFontSize() * 4);
+  OptionBar bar(shortOfRoom());
+  bar.item("Corners", o.corners, "Corner features, squares as large as their level");
+  bar.item("Edgelets", o.edgelets, "Edgelets, lines along the edge with a tick along the gradient");
+  bar.item("Segments", o.segments, "Line segments");
+  bar.item("Outliers", o.outliers, "Aligned, but rejected by pose refinement");
+  bar.item("Failed", o.not_aligned, "Projected into the image, but feature alignment failed");
+  bar.item("Residuals", o.residuals, "Sticks from measured towards predicted position, scaled");
+  if (o.residuals && bar.visible()) {
+    if (!bar.compact()) sameLineIfFits(ImGui::GetFontSize() * 4);
     slider("##residual_scale", o.residual_scale, 1, 50, "x%.0f", ImGui::GetFontSize() * 4,
            "Scale of the residual sticks");
   }
-  item("Predicted", o.predicted, "Crosses at the predicted positions");
-  item("Trails", o.trails, "Positions in the frames before");
-  item("Seeds", o.seeds, "Seeds that project into the image");
-  item("Spans", o.spans, "Where the seed may lie on its epipolar line, near to far");
-  item("Ids", o.ids, "Ids as text");
+  bar.item("Predicted", o.predicted, "Crosses at the predicted positions");
+  bar.item("Trails", o.trails, "Positions in the frames before");
+  bar.item("Seeds", o.seeds, "Seeds that project into the image");
+  bar.item("Spans", o.spans, "Where the seed may lie on its epipolar line, near to far");
+  bar.item("Tracks", o.tracks, "Tracks of the two-view start");
+  bar.item("Ids", o.ids, "Ids as text");
   ImGui::PopStyleVar(2);
 }
 
@@ -108,7 +105,7 @@ std::vector<LegendItem> legendItems(const Snapshot& s, const ImageOptions& o) {
                      format("%s %d", originName(origin), counts[i])});
   }
   if (outliers) items.push_back({okabe::vermillion, Swatch::cross, format("Outlier %d", outliers)});
-  if (failed) items.push_back({okabe::grey, Swatch::dot, format("Not aligned %d", failed)});
+  if (failed) items.push_back({okabe::grey, Swatch::ring, format("Not aligned %d", failed)});
   return items;
 }
 
@@ -120,7 +117,8 @@ void legend(const ImageView& view, const Snapshot& s, const ImageOptions& o) {
   const float line = ImGui::GetTextLineHeight() + grid(0.5f);
   const ImVec2 lo{view.hi.x - width - grid(4),
                   view.hi.y - line * static_cast<float>(items.size()) - grid(3)};
-  if (lo.x < view.lo.x + grid(40) || lo.y < view.lo.y) return;  // no room: the image matters more
+  const bool small = lo.x < view.lo.x + grid(40) || lo.y < view.lo.y + 0.55f * (view.hi.y - view.lo.y);
+  if (small) return;  // the image matters more
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(lo, {view.hi.x - grid(1), view.hi.y - grid(1)}, IM_COL32(0, 0, 0, 150), dp(3));
   ImVec2 at{lo.x + grid(1.5f), lo.y + grid(1)};

@@ -13,17 +13,15 @@ namespace {
 void chooser(PanelContext& c) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {grid(1), grid(1)});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
-  bool first = true;
+  OptionBar bar(ImGui::GetContentRegionAvail().y < ImGui::GetFontSize() * 11);
   for (const ChartInfo& chart : chartTable()) {
     if (std::string("Error") == chart.group && c.info.ground_truth.empty()) continue;
-    bool on = c.state.plot_groups.count(chart.group) > 0;
-    if (!first) sameLineIfFits(buttonWidth(chart.group));
-    first = false;
+    const bool was = c.state.plot_groups.count(chart.group) > 0;
+    bool on = was;
     const std::string label = std::string(chart.group) + "##chart";
-    if (toggle(label.c_str(), on, chart.unit_label)) {
-      if (on) c.state.plot_groups.insert(chart.group);
-      else c.state.plot_groups.erase(chart.group);
-    }
+    bar.item(label.c_str(), on, chart.unit_label);
+    if (on && !was) c.state.plot_groups.insert(chart.group);
+    if (!on && was) c.state.plot_groups.erase(chart.group);
   }
   ImGui::PopStyleVar(2);
 }

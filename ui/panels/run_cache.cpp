@@ -28,9 +28,9 @@ const std::vector<SeriesInfo>& seriesTable() {
       {"Time", "Mapping", okabe::purple, true, [](const R& r) { return r.ms(Stage::mapping); }},
       {"Map", "Landmarks", okabe::green, false, [](const R& r) { return 1.0 * r.landmarks; }},
       {"Map", "Seeds", okabe::orange, true, [](const R& r) { return 1.0 * r.seeds; }},
-      {"Seeds", "Updates", okabe::grey, true, [](const R& r) { return 1.0 * r.seed_updates; }},
-      {"Seeds", "Converged", okabe::sky, false, [](const R& r) { return 1.0 * r.seeds_converged; }},
-      {"Seeds", "Rejected", okabe::vermillion, true,
+      {"Seed updates", "Updates", okabe::grey, true, [](const R& r) { return 1.0 * r.seed_updates; }},
+      {"Seed updates", "Converged", okabe::sky, false, [](const R& r) { return 1.0 * r.seeds_converged; }},
+      {"Seed updates", "Rejected", okabe::vermillion, true,
        [](const R& r) { return 1.0 * r.seeds_rejected; }},
       {"Residual", "Reprojection median", okabe::orange, false,
        [](const R& r) { return goodOnly(r, r.reprojection_px); }},
@@ -39,7 +39,7 @@ const std::vector<SeriesInfo>& seriesTable() {
       {"Depth", "Median depth", okabe::purple, false,
        [](const R& r) { return goodOnly(r, r.median_depth); }},
       {"Brightness", "Gain", okabe::yellow, false, [](const R& r) { return r.gain; }},
-      {"Start", "Median disparity", okabe::yellow, false,
+      {"Disparity", "Median disparity", okabe::yellow, false,
        [](const R& r) { return r.disparity_tracks > 0 ? r.disparity_px : NAN; }},
   };
   return table;
@@ -49,9 +49,9 @@ const std::vector<ChartInfo>& chartTable() {
   static const std::vector<ChartInfo> table{
       {"Features", "Features", true},         {"Time", "Time, ms", true},
       {"Error", "Position error, m", true},   {"Map", "Map size", true},
-      {"Seeds", "Seeds per frame", true},     {"Residual", "Residual, px", true},
+      {"Seed updates", "Seeds per frame", true},     {"Residual", "Residual, px", true},
       {"Alignment", "Intensity, levels", true}, {"Depth", "Depth, map units", true},
-      {"Brightness", "Brightness gain", false}, {"Start", "Disparity, px", true},
+      {"Brightness", "Brightness gain", false}, {"Disparity", "Disparity, px", true},
   };
   return table;
 }

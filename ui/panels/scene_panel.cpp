@@ -16,11 +16,6 @@ namespace {
 
 constexpr std::uint32_t kSlot = 2;
 
-void item(const char* label, bool& value, const char* hint) {
-  sameLineIfFits(buttonWidth(label));
-  toggle(label, value, hint);
-}
-
 void toolbar(PanelContext& c) {
   SceneOptions& o = c.state.scene;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {grid(1), grid(1)});
@@ -37,15 +32,16 @@ void toolbar(PanelContext& c) {
   }
   sameLineIfFits(buttonWidth("Top"));
   if (button("Top", {"Look from above"})) topView(o);
-  item("Follow", o.follow, "Keep the camera in the middle (F)");
-  item("Points", o.points, "Map points");
-  item("Keyframes", o.keyframes, "Keyframe frustums");
-  item("Estimate", o.estimate, "Estimated trajectory");
+  OptionBar bar(shortOfRoom());
+  bar.item("Follow", o.follow, "Keep the camera in the middle (F)");
+  bar.item("Points", o.points, "Map points");
+  bar.item("Keyframes", o.keyframes, "Keyframe frustums");
+  bar.item("Estimate", o.estimate, "Estimated trajectory");
   if (!c.info.ground_truth.empty()) {
-    item("Ground truth", o.ground_truth, "Ground truth, aligned to the estimate, dashed");
+    bar.item("Ground truth", o.ground_truth, "Ground truth, aligned to the estimate, dashed");
   }
-  item("Seeds##scene", o.seeds, "Seeds as rays from near to far");
-  item("Grid", o.grid, "Ground grid");
+  bar.item("Rays", o.seeds, "Seeds as rays from near to far");
+  bar.item("Grid", o.grid, "Ground grid");
   ImGui::PopStyleVar(2);
 }
 
@@ -83,6 +79,7 @@ void fitWhileUntouched(PanelContext& c, double aspect) {
 
 void gizmo(const SceneCamera& camera) {
   const float r = grid(6);
+  if (camera.hi.y - camera.lo.y < 5 * r) return;
   const ImVec2 o{camera.lo.x + r + grid(2), camera.hi.y - r - grid(2)};
   struct AxisInk {
     Vec3 direction;
@@ -157,6 +154,7 @@ void labels(PanelContext& c, const SceneCamera& camera) {
     at.y += ImGui::GetTextLineHeight() + grid(0.5f);
   };
   const SceneOptions& o = c.state.scene;
+  if (camera.hi.y - camera.lo.y < ImGui::GetFontSize() * 10) return;  // the map matters more
   if (o.estimate) entry(Swatch::line, methodColor(c.info.method), methodName(c.info.method));
   const TruthState& truth = c.caches.truth.state();
   if (o.ground_truth && truth.valid) {

@@ -50,7 +50,8 @@ void drawStatusBar(PanelContext& c) {
   gap();
   legendEntry(methodColor(c.info.method), Swatch::line, methodName(c.info.method));
   gap();
-  part(format("frame %d / %d", c.viewedFrame(), c.info.frames));
+  part(c.latest ? format("frame %d / %d", c.viewedFrame(), c.info.frames)
+                : format("%d frames", c.info.frames));
   gap();
   stateParts(c);
   const std::string right = engineText(c);

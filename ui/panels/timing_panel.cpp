@@ -33,7 +33,7 @@ void barRow(Stage stage, double ms, double full, bool whole) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddText(at, whole ? ink::text : ink::dim, stageLabel(stage));
   const auto length = static_cast<float>(std::clamp(ms / std::max(full, 1e-6), 0.0, 1.0)) * room;
-  list->AddRectFilled({at.x + name, at.y + grid(0.5f)}, {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
+  if (ms > 0) list->AddRectFilled({at.x + name, at.y + grid(0.5f)}, {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
                       whole ? IM_COL32(104, 116, 132, 255) : stageColor(stage), dp(1));
   const std::string text = format("%.2f", ms);
   list->AddText({at.x + name + room + value - ImGui::CalcTextSize(text.c_str()).x, at.y}, ink::text, text.c_str());

@@ -74,10 +74,10 @@ void runButtons(PanelContext& c) {
 }
 
 void speedControl(PanelContext& c) {
-  static const std::vector<const char*> names{"As fast as possible", "1 fps",  "2 fps", "5 fps",
+  static const std::vector<const char*> names{"Max speed", "1 fps",  "2 fps", "5 fps",
                                               "10 fps",              "20 fps", "30 fps"};
   static const std::array<const char*, 7> values{"0", "1", "2", "5", "10", "20", "30"};
-  const float width = ImGui::GetFontSize() * 10;
+  const float width = ImGui::GetFontSize() * 6.5f;
   sameLineIfFits(width + grid(4));
   if (combo("##speed", c.state.speed, names, width, "Frames per second while playing")) {
     Command command;

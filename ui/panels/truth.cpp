@@ -46,7 +46,7 @@ void align(TruthState& s, const std::vector<Pair>& pairs, const std::vector<Fram
   const Mat4 T = Eigen::umeyama(from, to, s.mode == AlignMode::sim3);
   if (!T.allFinite()) return;
   const Mat3 A = T.topLeftCorner<3, 3>();
-  s.scale = std::cbrt(std::max(1e-12, A.determinant()));
+  s.scale = s.mode == AlignMode::sim3 ? std::cbrt(std::max(1e-12, A.determinant())) : 1;
   s.R = A / s.scale;
   s.t = T.topRightCorner<3, 1>();
 }

@@ -161,6 +161,31 @@ float buttonWidth(const char* label) {
   return ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+bool shortOfRoom() {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  return room.y < ImGui::GetFontSize() * 17;
+}
+
+OptionBar::OptionBar(bool compact) : compact_(compact) {
+  if (!compact_) return;
+  sameLineIfFits(buttonWidth("Show"));
+  if (button("Show", {"What to show"})) ImGui::OpenPopup("##options");
+  open_ = ImGui::BeginPopup("##options");
+}
+
+OptionBar::~OptionBar() {
+  if (open_) ImGui::EndPopup();
+}
+
+void OptionBar::item(const char* label, bool& value, const char* hint) {
+  if (compact_) {
+    if (open_) checkbox(label, value, hint);
+    return;
+  }
+  sameLineIfFits(buttonWidth(label));
+  toggle(label, value, hint);
+}
+
 void valueRow(const char* name, const std::string& value, ImU32 color) {
   const float start = ImGui::GetCursorPosX();
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
@@ -196,7 +221,7 @@ void note(const std::string& text) {
 
 void emptyState(const char* title, const std::string& what_to_do) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float width = std::min(room.x, ImGui::GetFontSize() * 26);
+  const float width = std::min(room.x, ImGui::GetFontSize() * 36);
   if (width < 1) return;
   const ImVec2 title_size = ImGui::CalcTextSize(title, nullptr, false, width);
   const ImVec2 text_size = ImGui::CalcTextSize(what_to_do.c_str(), nullptr, false, width);

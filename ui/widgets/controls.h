@@ -38,6 +38,22 @@ void sameLineIfFits(float width);
 /// Width of a button or toggle with this label.
 float buttonWidth(const char* label);
 
+/// A toolbar's on/off options: buttons that wrap, or a "Show" menu where room is short.
+class OptionBar {
+ public:
+  explicit OptionBar(bool compact);
+  ~OptionBar();
+  OptionBar(const OptionBar&) = delete;
+  void item(const char* label, bool& value, const char* hint);
+  bool visible() const { return !compact_ || open_; }
+  bool compact() const { return compact_; }
+
+ private:
+  bool compact_, open_ = false;
+};
+/// Whether the rest of the current window is too small for toolbars of several rows.
+bool shortOfRoom();
+
 /// Name on the left in dim ink, value in a column; for lists of facts.
 void valueRow(const char* name, const std::string& value, ImU32 color = 0);
 /// A thin heading with a rule.
@@ -47,7 +63,7 @@ void note(const std::string& text);
 /// A centred message for a panel that has nothing to show yet.
 void emptyState(const char* title, const std::string& what_to_do);
 
-enum class Swatch { square, line, dashed, cross, dot };
+enum class Swatch { square, line, dashed, cross, dot, ring };
 /// Colour sample and text on the current line.
 void legendEntry(ImU32 color, Swatch kind, const char* text);
 float legendWidth(const char* text);

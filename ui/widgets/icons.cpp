@@ -70,6 +70,7 @@ void drawSwatch(Swatch kind, ImVec2 c, float r, ImU32 color) {
     case Swatch::cross:
       list->AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, t);
       return list->AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, t);
+    case Swatch::ring: return list->AddCircle(c, r * 0.85f, color, 12, t);
     case Swatch::dot: return list->AddCircleFilled(c, r * 0.7f, color, 10);
   }
 }

@@ -65,7 +65,7 @@ void fitY(const PlotSpec& spec, PlotState& state, const Range& window) {
 }
 
 std::vector<double> yTicks(const Frame& f) {
-  const int count = std::max(2, static_cast<int>((f.hi.y - f.lo.y) / (ImGui::GetFontSize() * 1.7f)));
+  const int count = std::max(3, static_cast<int>((f.hi.y - f.lo.y) / (ImGui::GetFontSize() * 1.7f)));
   return f.y.log ? logTicks(f.y.data, count) : linearTicks(f.y.data, count);
 }
 
