@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 
 #include "app/command.h"
 #include "app/drive.h"
+#include "app/interrupt.h"
 #include "app/progress.h"
-
-#if __has_include("engine/runner/make_runner.h")
-#define SVOSCOPE_HAS_ENGINE
 #include "engine/runner/make_runner.h"
 #include "engine/runner/parameters.h"
-#endif
 
 namespace svoscope {
 
@@ -28,7 +24,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  svoscope run synthetic:room --out results\n"
     "  svoscope run SEQUENCE --method svo --sync --out results\n"
-    "  svoscope run SEQUENCE --config mine.yaml --set keyframe.min_overlap=0.6 --out results";
+    "  svoscope run SEQUENCE --config mine.yaml --set detect.cell_px=25 --out results";
 
 struct Arguments {
   std::string sequence, out, config;
@@ -37,26 +33,6 @@ struct Arguments {
   bool sync = false;
   int start = 0;
   int max_frames = -1;
-};
-
-std::atomic<bool> g_interrupted{false};  // written by the signal handler
-
-/// Ctrl-C ends the run in order; pressed again it ends the program.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    g_interrupted = false;
-    struct sigaction action = {};
-    action.sa_handler = [](int) { g_interrupted = true; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &before_);
-  }
-  ~InterruptGuard() { sigaction(SIGINT, &before_, nullptr); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction before_ = {};
 };
 
 /// A bad disk gives a warning per frame: the first few say enough.
@@ -89,7 +65,7 @@ int driveAndReport(Runner& runner, const Arguments& arguments, const std::string
   const InterruptGuard guard;
   DriveOptions options;
   options.first_frame = arguments.start;
-  options.stop = &g_interrupted;
+  options.stop = &guard.flag();
   int last_frame = runner.info().frames;
   if (arguments.max_frames > 0) {
     last_frame = std::min(last_frame, arguments.start + arguments.max_frames);
@@ -115,8 +91,6 @@ int driveAndReport(Runner& runner, const Arguments& arguments, const std::string
              metricsText(metrics.value()), writer.folder().string());
   return exitCodeOf(outcome, metrics.value());
 }
-
-#ifdef SVOSCOPE_HAS_ENGINE
 
 Status applySettings(const Arguments& arguments, Parameters& parameters) {
   if (!arguments.config.empty()) {
@@ -161,16 +135,6 @@ int runRun(const Arguments& arguments) {
   if (!runner.ok()) return reportError(runner.error());
   return driveAndReport(*runner.value(), arguments, config);
 }
-
-#else
-
-int runRun(const Arguments& arguments) {
-  const Error absent{ErrorKind::internal, "this build has no engine", arguments.sequence, ""};
-  (void)&driveAndReport;
-  return reportError(absent);
-}
-
-#endif
 
 }  // namespace
 

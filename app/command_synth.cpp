@@ -6,14 +6,11 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/interrupt.h"
 #include "app/progress.h"
 #include "engine/dataset/sequence.h"
-#include "engine/io/text_output.h"
-
-#if __has_include("engine/dataset/write_tum.h")
-#define SVOSCOPE_HAS_WRITER
 #include "engine/dataset/write_tum.h"
-#endif
+#include "engine/io/text_output.h"
 
 namespace svoscope {
 
@@ -23,35 +20,30 @@ struct Arguments {
   std::string preset, out;
 };
 
-#ifdef SVOSCOPE_HAS_WRITER
-
 int runSynth(const Arguments& arguments) {
   const bool prefixed = arguments.preset.rfind("synthetic:", 0) == 0;
   const auto sequence = openSequence(prefixed ? arguments.preset : "synthetic:" + arguments.preset);
   if (!sequence.ok()) return reportError(sequence.error());
   const Status folder = makeFolder(arguments.out);
   if (!folder.ok()) return reportError(folder.error());
+  const InterruptGuard guard;
   Status written = Done{};
   {
     Progress progress;
     written = writeTumSequence(*sequence.value(), arguments.out, [&](int done, int total) {
       progress.show(fmt::format("frame {}/{}", done, total));
+      return !guard.flag();
     });
   }
   if (!written.ok()) return reportError(written.error());
+  if (guard.flag()) {
+    reportWarning("interrupted; the frames written so far are listed");
+    return kExitInterrupted;
+  }
   fmt::print("{} frames of {} in {}\n", sequence.value()->size(), sequence.value()->name(),
              arguments.out);
   return kExitDone;
 }
-
-#else
-
-int runSynth(const Arguments& arguments) {
-  return reportError(
-      {ErrorKind::internal, "this build has no synthetic sequences", arguments.preset, ""});
-}
-
-#endif
 
 }  // namespace
 

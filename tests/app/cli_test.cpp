@@ -1,42 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The program as users and their scripts see it: exit codes, messages, output.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/support/support.h"
+#include "tests/support/program.h"
 
 namespace svoscope {
 namespace {
 
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
+using test::Outcome;
 
-/// Runs the program through the shell, without input.
-Outcome run(const std::string& arguments) {
-  const test::TemporaryFolder folder;
-  const std::string err = (folder / "err").string();
-  const std::string command =
-      std::string("'") + SVOSCOPE_PROGRAM + "' " + arguments + " 2>'" + err + "' </dev/null";
-  Outcome outcome;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe) return outcome;
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    outcome.out.append(buffer.data(), n);
-  }
-  const int status = pclose(pipe);
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  outcome.err = test::readText(err);
-  return outcome;
-}
+Outcome run(const std::string& arguments) { return test::runProgram(arguments); }
 
 std::string spiralTum(double scale, int count = 60) {
   std::ostringstream text;
