@@ -122,7 +122,7 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
 std::shared_ptr<const std::vector<KeyframeView>> SnapshotBuilder::keyframeViews(const Tracker& tracker) {
   auto views = std::make_shared<std::vector<KeyframeView>>();
   for (const auto& [id, keyframe] : tracker.map().keyframes)
-    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse()});
+    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid});
   return views;
 }
 

@@ -57,6 +57,28 @@ enum class SearchOutcome : std::uint8_t {
 const char* searchOutcomeName(SearchOutcome outcome);
 const char* seedStatusName(SeedStatus status);
 
+/// The state of one rule of the depth filter. Inverse distance in 1/map unit.
+struct BeliefView {
+  float mu = 0, sigma = 0;
+  float a = 10, b = 10;
+};
+
+/// One measurement of a seed, and what both rules made of it.
+struct SeedUpdateView {
+  std::int64_t seed_id = -1;
+  int keyframe_id = -1;
+  int frame_index = -1;           ///< frame that was searched
+  SearchOutcome outcome = SearchOutcome::none;
+  Vec2f px = Vec2f::Zero();       ///< match in that frame, level 0; if matched or tracked
+  float score = 0;                ///< zero-mean SSD per pixel of the best sample; 0: no scan
+  float x = 0, tau = 0;           ///< measured inverse distance and its sigma, 1/map unit
+  BeliefView kl_before, kl_after, js_before, js_after;
+  float kl_belief_measurement = 0;  ///< KL(belief || measurement), nats, of the rule in use
+  float kl_measurement_belief = 0;  ///< KL(measurement || belief), nats
+  float jsd = 0;                  ///< Jensen-Shannon divergence, nats, 0 .. log 2
+  float affinity = 0;             ///< w of docs/method.md, 0 .. 1
+};
+
 /// One seed after the frame: its belief over inverse depth (along the ray of unit length, 1/map
 /// unit) and what the last search did.
 struct SeedView {
@@ -67,8 +89,9 @@ struct SeedView {
   SearchOutcome outcome = SearchOutcome::none;
   std::uint8_t level = 0;
   Vec2f px_ref = Vec2f::Zero();   ///< in its reference keyframe
-  float mu = 0, sigma = 0;        ///< inverse distance, 1/map unit
+  float mu = 0, sigma = 0;        ///< of the rule in use: inverse distance, 1/map unit
   float a = 10, b = 10;           ///< Beta parameters of the inlier ratio
+  BeliefView kl, js;              ///< both rules on the same measurements (shadow filter)
   float range = 1;                ///< R of the uniform component, 1/map unit
   int updates = 0;                ///< successful measurements
   int failures = 0;               ///< searches without a match
@@ -86,6 +109,7 @@ struct KeyframeView {
   int id = -1;
   int frame_index = -1;
   SE3 T_world_cam;
+  std::shared_ptr<const std::vector<cv::Mat>> pyramid;  ///< rectified, CV_8UC1; shared with its frame
 };
 
 struct MapPointView {
@@ -113,6 +137,8 @@ struct Snapshot {
   std::shared_ptr<const std::vector<cv::Mat>> pyramid;
   std::vector<FeatureView> features;
   std::shared_ptr<const std::vector<SeedView>> seeds;
+  /// Measurements applied to seeds since the snapshot before.
+  std::shared_ptr<const std::vector<SeedUpdateView>> seed_updates;
   std::shared_ptr<const std::vector<KeyframeView>> keyframes;  ///< poses as of this frame
   std::shared_ptr<const std::vector<MapPointView>> points;
   std::vector<Event> events;          ///< of this frame
