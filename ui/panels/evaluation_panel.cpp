@@ -79,7 +79,7 @@ void drawEvaluationPanel(PanelContext& c) {
   if (!s.valid) {
     return emptyState("No error yet", s.problem.empty() ? std::string("Needs three poses with ground truth") : s.problem);
   }
-  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 34;
+  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 40;
   if (wide && ImGui::BeginTable("##columns", 2)) {
     ImGui::TableNextColumn();
     errorRows(s);
