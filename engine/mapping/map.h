@@ -64,10 +64,18 @@ struct Keyframe {
   std::vector<std::int64_t> landmarks;        ///< seen in it
   std::vector<Seed> seeds;
   cv::Mat thumbnail;                          ///< small blurred float image, zero mean
+  int last_local_frame = -1;                  ///< last frame that searched its features
+};
+
+/// What is left of a keyframe that was removed from the map.
+struct RetiredKeyframe {
+  int id = -1, frame_index = -1;
+  SE3 T_world_cam;
 };
 
 struct Map {
   Pinhole camera;
+  std::vector<RetiredKeyframe> retired;       ///< by id
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
   std::int64_t next_id = 0;                   ///< of landmarks and seeds
@@ -86,6 +94,8 @@ struct Map {
   Landmark& addLandmark(const Vec3& p_world, FeatureType type);
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);
   void removeLandmark(std::int64_t id);
+  /// Takes back one view; a landmark left with fewer than two goes.
+  void removeObservation(std::int64_t landmark_id, int keyframe_id);
   /// Removes the keyframe, its seeds and its observations; landmarks left with fewer than two
   /// observations go too.
   void removeKeyframe(int id);

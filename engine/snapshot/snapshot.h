@@ -110,6 +110,7 @@ struct KeyframeView {
   int frame_index = -1;
   SE3 T_world_cam;
   std::shared_ptr<const std::vector<cv::Mat>> pyramid;  ///< rectified, CV_8UC1; shared with its frame
+  bool in_map = true;   ///< false: removed from the map since, the pose is its last
 };
 
 struct MapPointView {
