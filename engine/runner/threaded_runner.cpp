@@ -55,7 +55,7 @@ RunnerStatus ThreadedRunner::status() const {
     // A command not yet looked at counts as playing: who waits for the end must not miss it.
     status.playing = status.playing || !commands_.empty();
   }
-  status.mapping_queue = jobs_open_;
+  status.mapping_queue = static_cast<int>(tasks_.size());
   log_.describe(status);
   return status;
 }
@@ -126,7 +126,6 @@ void ThreadedRunner::processFrame() {
   }
   applyAnswers();
   engine_.refreshRecord();
-  jobs_open_ = static_cast<int>(tasks_.size());
   playback_.processed(engine_.record(), isStart(engine_.events()));
   if (publish_ || engine_.finished() || !playback_.wantsFrame()) log_.addSnapshot(engine_.snapshot());
   log_.addRecord(engine_.record());
