@@ -146,6 +146,13 @@ std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(con
   return views;
 }
 
+std::shared_ptr<Snapshot> SnapshotBuilder::buildEmpty() {
+  auto s = std::make_shared<Snapshot>();
+  s->sequence_number = ++sequence_number_;
+  s->bytes = sizeof(Snapshot);
+  return s;
+}
+
 std::shared_ptr<Snapshot> SnapshotBuilder::build(const Tracker& tracker) {
   auto s = std::make_shared<Snapshot>();
   s->sequence_number = ++sequence_number_;

@@ -19,6 +19,8 @@ class SnapshotBuilder {
   explicit SnapshotBuilder(DepthReader depth) : read_depth_(std::move(depth)) {}
 
   std::shared_ptr<Snapshot> build(const Tracker& tracker);
+  /// Of a frame that could not be read: numbered in turn, nothing in it.
+  std::shared_ptr<Snapshot> buildEmpty();
   void reset();
 
  private:
