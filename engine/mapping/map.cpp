@@ -46,11 +46,23 @@ void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
   if (views.size() < 2) removeLandmark(landmark_id);
 }
 
+void Map::endSeeds(Keyframe& keyframe, SeedEnding ending) {
+  for (Seed& seed : keyframe.seeds) {
+    if (seed.ending == SeedEnding::none) {
+      seed.status = SeedStatus::rejected;
+      seed.ending = ending;
+    }
+    orphans.push_back({seed, keyframe.T_cam_world});
+  }
+  keyframe.seeds.clear();
+}
+
 void Map::removeKeyframe(int id) {
   Keyframe* keyframe = findKeyframe(id);
   if (!keyframe) return;
   const std::vector<std::int64_t> seen = keyframe->landmarks;
   for (const std::int64_t landmark_id : seen) removeObservation(landmark_id, id);
+  endSeeds(*keyframe, SeedEnding::keyframe_removed);
   retired.push_back({id, keyframe->frame_index, keyframe->T_cam_world.inverse()});
   keyframes.erase(id);
 }

@@ -30,10 +30,13 @@ struct Seed {
   std::int64_t id = -1;
   int keyframe_id = -1;
   FeatureAnchor anchor;              ///< in its keyframe
-  Belief belief;
+  Belief belief;                     ///< of the rule in use: decides status and map
+  Belief shadow;                     ///< of the other rule, on the same measurements; for inspection
+  bool has_shadow = true;            ///< no measurement was kept from it
   double range = 1;                  ///< R, 1/map unit
   double score = 0;                  ///< of the detector
   SeedStatus status = SeedStatus::active;
+  SeedEnding ending = SeedEnding::none;
   SearchOutcome outcome = SearchOutcome::none;  ///< of the last frame
   int updates = 0, failures = 0;
   int last_frame = -1;               ///< last frame with a successful measurement
@@ -73,11 +76,18 @@ struct RetiredKeyframe {
   SE3 T_world_cam;
 };
 
+/// A seed that went with its keyframe.
+struct OrphanSeed {
+  Seed seed;
+  SE3 T_cam_world;                   ///< of the removed keyframe
+};
+
 struct Map {
   Pinhole camera;
   std::vector<RetiredKeyframe> retired;       ///< by id
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
+  std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
   std::int64_t next_id = 0;                   ///< of landmarks and seeds
   int next_keyframe_id = 0;
 
@@ -96,6 +106,8 @@ struct Map {
   void removeLandmark(std::int64_t id);
   /// Takes back one view; a landmark left with fewer than two goes.
   void removeObservation(std::int64_t landmark_id, int keyframe_id);
+  /// Ends all seeds of a keyframe; they are kept as orphans until the next frame.
+  void endSeeds(Keyframe& keyframe, SeedEnding ending);
   /// Removes the keyframe, its seeds and its observations; landmarks left with fewer than two
   /// observations go too.
   void removeKeyframe(int id);

@@ -21,6 +21,7 @@ ThreadedRunner::ThreadedRunner(std::unique_ptr<Sequence> sequence, const RunnerO
       log_(o.history_budget),
       publish_(o.publish_snapshots) {
   engine_.setTimed(true);
+  engine_.setInspected(publish_);
   parameter_views_ = listParameters(engine_.parameters());
   publishStatus();
   tracking_ = std::thread([this] { trackingLoop(); });
