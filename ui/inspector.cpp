@@ -219,7 +219,10 @@ void Inspector::act(Action action) {
     case Action::layout_2:
     case Action::layout_3:
     case Action::layout_4:
+    case Action::layout_5:
       return showPreset(presetNames()[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::layout_1)]);
+    case Action::previous_update: return stepUpdate(-1);
+    case Action::next_update: return stepUpdate(1);
     case Action::help: state_.show_help = !state_.show_help; return;
     case Action::clear:
       if (state_.show_help) state_.show_help = false;
