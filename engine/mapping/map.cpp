@@ -39,6 +39,13 @@ void Map::removeKeyframe(int id) {
   Keyframe* keyframe = findKeyframe(id);
   if (!keyframe) return;
   const std::vector<std::int64_t> seen = keyframe->landmarks;
+  for (Seed& seed : keyframe->seeds) {
+    if (seed.ending == SeedEnding::none) {
+      seed.status = SeedStatus::rejected;
+      seed.ending = SeedEnding::keyframe_removed;
+    }
+    orphans.push_back({seed, keyframe->T_cam_world});
+  }
   keyframes.erase(id);
   for (const std::int64_t landmark_id : seen) {
     Landmark* landmark = find(landmark_id);

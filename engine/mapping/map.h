@@ -30,10 +30,13 @@ struct Seed {
   std::int64_t id = -1;
   int keyframe_id = -1;
   FeatureAnchor anchor;              ///< in its keyframe
-  Belief belief;
+  Belief belief;                     ///< of the rule in use: decides status and map
+  Belief shadow;                     ///< of the other rule, on the same measurements; for inspection
+  bool has_shadow = true;            ///< no measurement was kept from it
   double range = 1;                  ///< R, 1/map unit
   double score = 0;                  ///< of the detector
   SeedStatus status = SeedStatus::active;
+  SeedEnding ending = SeedEnding::none;
   SearchOutcome outcome = SearchOutcome::none;  ///< of the last frame
   int updates = 0, failures = 0;
   int last_frame = -1;               ///< last frame with a successful measurement
@@ -66,10 +69,17 @@ struct Keyframe {
   cv::Mat thumbnail;                          ///< small blurred float image, zero mean
 };
 
+/// A seed that went with its keyframe.
+struct OrphanSeed {
+  Seed seed;
+  SE3 T_cam_world;                   ///< of the removed keyframe
+};
+
 struct Map {
   Pinhole camera;
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
+  std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
   std::int64_t next_id = 0;                   ///< of landmarks and seeds
   int next_keyframe_id = 0;
 

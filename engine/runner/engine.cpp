@@ -75,7 +75,10 @@ SnapshotPtr Engine::snapshot() {
 
 Status Engine::setParameter(const std::string& key, const std::string& value) {
   Status status = svoscope::setParameter(parameters_, key, value);
-  if (status.ok()) tracker_.setParameters(parameters_.tracker);
+  if (status.ok()) {
+    tracker_.setParameters(parameters_.tracker);
+    builder_.parametersChanged();
+  }
   return status;
 }
 

@@ -35,6 +35,9 @@ class Engine {
   /// Copies what mapping added to the frame's record after step().
   void refreshRecord();
 
+  /// On: snapshots hold both rules of the depth filter and every seed update (Tracker::setInspected).
+  void setInspected(bool on) { tracker_.setInspected(on); }
+
   Status setParameter(const std::string& key, const std::string& value);
   const Parameters& parameters() const { return parameters_; }
   void reset();

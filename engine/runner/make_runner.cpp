@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "engine/runner/make_runner.h"
 
+#include <optional>
+
 #include "engine/runner/sync_runner.h"
 #include "engine/runner/threaded_runner.h"
 
 namespace svoscope {
 
-Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& options) {
-  if (options.method != "svo")
-    return usageError("method '" + options.method + "' is not available", "--method", "use svo");
+namespace {
+
+std::optional<FilterRule> ruleOf(const std::string& method) {
+  if (method == "svo") return FilterRule::kl;
+  if (method == "it-svo") return FilterRule::js;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& asked) {
+  const auto rule = ruleOf(asked.method);
+  if (!rule) return usageError("method '" + asked.method + "' is not available", "--method", "use svo or it-svo");
+  RunnerOptions options = asked;
+  options.parameters.tracker.mapping.filter.rule = *rule;
   if (sequence->size() == 0)
     return inputError("the sequence has no frames", sequence->name(), "check the list of images");
   if (options.start >= sequence->size())

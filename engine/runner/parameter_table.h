@@ -69,6 +69,9 @@ void visitMapping(P& p, F&& f) {
   f(ParameterInfo{"filter.converged_sigma", "", "converged below this share of the range", 1e-5, 0.2}, m.filter.converged_fraction);
   f(ParameterInfo{"filter.min_inlier_ratio", "", "a/(a+b) of a converged seed", 0, 1}, m.filter.min_inlier_ratio);
   f(ParameterInfo{"filter.reject_inlier_ratio", "", "a/(a+b) below which a seed is rejected", 0, 1}, m.filter.reject_inlier_ratio);
+  f(ParameterInfo{"filter.shadow", "", "run the rule not in use too, for inspection", 0, 1}, m.filter.shadow);
+  f(ParameterInfo{"filter.js_fuse_variance", "", "JS: variance of the measurement fused with that of the mixture", 0, 1}, m.filter.js.fuse_variance);
+  f(ParameterInfo{"filter.js_weight_responsibility", "", "JS: inlier responsibility weighted by the affinity", 0, 1}, m.filter.js.weight_responsibility);
   f(ParameterInfo{"filter.max_seeds", "", "new seeds per keyframe", 10, 5000}, m.filter.max_seeds_per_keyframe);
 }
 

@@ -20,6 +20,7 @@ ThreadedRunner::ThreadedRunner(std::unique_ptr<Sequence> sequence, const RunnerO
       info_(engine_.info()),
       log_(o.history_budget),
       publish_(o.publish_snapshots) {
+  engine_.setInspected(publish_);
   parameter_views_ = listParameters(engine_.parameters());
   publishStatus();
   tracking_ = std::thread([this] { trackingLoop(); });

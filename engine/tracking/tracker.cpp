@@ -71,6 +71,7 @@ void Tracker::reset() {
   T_velocity_ = T_last_good_ = SE3();
   job_.reset();
   local_keyframes_.clear();
+  seed_updates_.clear();
   lost_frames_ = 0;
   last_keyframe_frame_ = latest_keyframe_ = -1;
 }

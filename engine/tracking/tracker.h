@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/mapping/seed_update.h"
@@ -65,6 +66,12 @@ class Tracker {
   const std::vector<Event>& events() const { return events_; }
   const InitializerOutput& startOutput() const { return start_output_; }
 
+  /// On: both rules of the depth filter run, and every update of a seed is kept until taken. Off by
+  /// default: nobody looks.
+  void setInspected(bool on) { inspected_ = on; }
+  /// Updates applied since the last call.
+  std::vector<SeedUpdateView> takeSeedUpdates() { return std::exchange(seed_updates_, {}); }
+
  private:
   struct Attempt;  ///< one try to register the frame from a predicted pose
 
@@ -88,6 +95,7 @@ class Tracker {
   void requestMeasurements();
   void limitKeyframes();
   void dropEndedSeeds();
+  bool measureSeed(Seed& seed, const SeedMeasurement& m);
   Seed* findSeed(int keyframe_id, std::int64_t id);
   void event(EventKind kind, std::string text);
 
@@ -106,6 +114,8 @@ class Tracker {
   OccupancyGrid occupied_;
   std::optional<MappingJob> job_;
   std::vector<std::int64_t> measured_seeds_;   ///< by the tracker in this frame, sorted
+  std::vector<SeedUpdateView> seed_updates_;
+  bool inspected_ = false;
   int last_keyframe_frame_ = -1, lost_frames_ = 0;
   int latest_keyframe_ = -1;
 };

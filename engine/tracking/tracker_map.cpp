@@ -49,6 +49,7 @@ Seed* Tracker::findSeed(int keyframe_id, std::int64_t id) {
 
 /// Ended seeds stay for one frame, so that its snapshot shows how they ended.
 void Tracker::dropEndedSeeds() {
+  map_.orphans.clear();
   for (auto& [id, keyframe] : map_.keyframes) {
     auto& seeds = keyframe.seeds;
     seeds.erase(std::remove_if(seeds.begin(), seeds.end(),
@@ -60,15 +61,32 @@ void Tracker::dropEndedSeeds() {
   }
 }
 
+/// Applies a measurement; true if the seed converged by it.
+bool Tracker::measureSeed(Seed& seed, const SeedMeasurement& m) {
+  const SeedStatus status = seed.status;
+  DepthFilterParameters filter = parameters_.mapping.filter;
+  filter.shadow = filter.shadow && inspected_;
+  if (inspected_) {
+    const Seed before = seed;
+    applyMeasurement(seed, m, filter);
+    seed_updates_.push_back(describeUpdate(before, seed, m, filter.rule));
+  } else {
+    applyMeasurement(seed, m, filter);
+  }
+  return seed.status == SeedStatus::converged && status == SeedStatus::active;
+}
+
 /// Measurements made by the tracker enter the filter with the final pose.
 void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
   for (const TrackedSeedMatch& match : matches) {
     Seed* seed = findSeed(match.keyframe_id, match.seed_id);
     if (!seed) continue;
     measured_seeds_.push_back(match.seed_id);
-    SeedMeasurement m{match.seed_id, match.keyframe_id, frame_.index, match.outcome, 0, 0};
+    SeedMeasurement m{match.seed_id, match.keyframe_id, frame_.index, match.outcome};
+    m.score = match.score;
     TrackedFeature* feature = match.feature < 0 ? nullptr : &frame_.features[static_cast<std::size_t>(match.feature)];
     if (feature) {
+      m.px = feature->anchor.px;
       const Keyframe& keyframe = *map_.findKeyframe(match.keyframe_id);
       const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
       m.x = triangulateInverseDistance(map_.camera, T_cur_ref, seed->anchor.f, feature->anchor.px);
@@ -76,10 +94,8 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
                                    parameters_.mapping.search.pixel_noise, map_.camera.focal());
       if (feature->status != FeatureStatus::inlier || !(m.x > 0)) m.outcome = SearchOutcome::no_match;
     }
-    const SeedStatus before = seed->status;
-    applyMeasurement(*seed, m, parameters_.mapping.filter);
+    record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::tracked;
-    record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
     if (feature) feature->p_world = seedPoint(*seed, *map_.findKeyframe(match.keyframe_id));
     if (feature && seed->status == SeedStatus::rejected) feature->status = FeatureStatus::outlier;
@@ -137,6 +153,7 @@ void Tracker::promoteFeature(TrackedFeature& f, Keyframe& keyframe) {
   Seed* seed = findSeed(f.keyframe_id, f.id);
   if (!seed) return;
   seed->status = SeedStatus::promoted;
+  seed->ending = SeedEnding::promoted;
   Landmark& landmark = map_.addLandmark(f.p_world, f.anchor.type);
   landmark.sigma = std::sqrt(seed->belief.sigma2);
   landmark.score = seed->score;
@@ -198,11 +215,11 @@ void Tracker::requestSeeds(const Keyframe& keyframe) {
   job_->new_seeds.occupied = occupied_;
   job_->new_seeds.median_depth = keyframe.median_depth;
   job_->new_seeds.min_depth = keyframe.min_depth;
-  if (last_.pyramid) job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world});
+  if (last_.pyramid) job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world, last_.index});
   for (const int id : local_keyframes_) {
     if (job_->older_views.size() >= kOlderViews) break;
     const Keyframe& k = *map_.findKeyframe(id);
-    if (id != keyframe.id && k.frame_index != last_.index) job_->older_views.push_back({id, k.pyramid, k.T_cam_world});
+    if (id != keyframe.id && k.frame_index != last_.index) job_->older_views.push_back({id, k.pyramid, k.T_cam_world, k.frame_index});
   }
 }
 
@@ -216,7 +233,7 @@ void Tracker::requestMeasurements() {
     const Keyframe* keyframe = map_.findKeyframe(id);
     if (!keyframe || keyframe->frame_index == frame_.index) continue;
     const int slot = static_cast<int>(job_->keyframes.size());
-    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world});
+    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index});
     for (const Seed& seed : keyframe->seeds) {
       if (seed.status != SeedStatus::active && seed.status != SeedStatus::converged) continue;
       if (job_->seeds.size() >= kMostJobSeeds) return;
@@ -239,10 +256,8 @@ void Tracker::applyMapping(const MappingResult& result) {
   for (const SeedMeasurement& m : result.measurements) {
     Seed* seed = findSeed(m.keyframe_id, m.seed_id);
     if (!seed || seed->status == SeedStatus::rejected || seed->status == SeedStatus::promoted) continue;
-    const SeedStatus before = seed->status;
-    applyMeasurement(*seed, m, parameters_.mapping.filter);
+    record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::matched;
-    record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
   Keyframe* keyframe = map_.findKeyframe(result.keyframe_id);
@@ -252,7 +267,7 @@ void Tracker::applyMapping(const MappingResult& result) {
     seed.id = map_.next_id++;
     seed.keyframe_id = keyframe->id;
     for (const SeedMeasurement& m : fresh.measurements) {
-      applyMeasurement(seed, m, parameters_.mapping.filter);
+      measureSeed(seed, m);
       ++record_.seed_updates;
     }
     keyframe->seeds.push_back(seed);
