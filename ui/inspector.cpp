@@ -20,6 +20,8 @@ namespace {
 const std::map<std::string, void (*)(PanelContext&)>& panelTable() {
   static const std::map<std::string, void (*)(PanelContext&)> table{
       {"Image", drawImagePanel},           {"3-D", drawScenePanel},
+      {"Seed", drawSeedPanel},             {"Epipolar search", drawEpipolarPanel},
+      {"KL / JS", drawDivergencePanel},    {"Filter lab", drawLabPanel},
       {"Plots", drawPlotsPanel},           {"Timing", drawTimingPanel},
       {"Funnel", drawFunnelPanel},         {"Selection", drawSelectionPanel},
       {"Evaluation", drawEvaluationPanel}, {"Parameters", drawParametersPanel},
@@ -95,6 +97,7 @@ void Inspector::draw() {
   for (const Action action : pressedActions()) act(action);
   PanelContext context = makeContext();
   drawWindow(context);
+  state_.seed.step_request = 0;
   drawHelp(context);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   state_.toasts.draw({display.x - grid(3), display.y - grid(9)});
@@ -184,6 +187,9 @@ void Inspector::step(bool back) {
   if (target < first) return state_.toasts.add("No older frame is held");
   state_.viewed_frame = target >= newest ? -1 : target;
 }
+
+// Applied by the panel that shows the updates; nothing happens if none does.
+void Inspector::stepUpdate(int by) { state_.seed.step_request += by; }
 
 void Inspector::requestScreenshot() {
   const SnapshotPtr latest = runner_.latest();

@@ -88,8 +88,16 @@ struct SearchLine {
 
 struct DivergenceOptions {
   bool whole_run = true;       ///< else the viewed frame only
+  bool brush_changed = false;  ///< the highlighted seeds must be found again
   bool brushed = false;        ///< a rectangle is drawn in the scatter
   double x_lo = 0, x_hi = 0, y_lo = 0, y_hi = 0;
+};
+
+/// What the filter lab's sliders stand at.
+struct LabSettings {
+  float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;            ///< two Gaussians; offset = x - mu
+  float baseline = 0.3f, depth = 2.5f, pixel_noise = 1, focal = 525;  ///< two views: m, m, px, px
+  float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
 };
 
 struct UiState {
@@ -101,6 +109,9 @@ struct UiState {
   SearchHover search_hover;
   SearchLine search_line;
   DivergenceOptions divergence;
+  LabSettings lab;
+  int lab_section = 0;         ///< divergences, two views, population, all
+  std::uint64_t lab_random_seed = 0;
   std::set<std::int64_t> highlighted;  ///< seeds, by a brush
   LinkedX linked_x;       ///< of all plots over frames
   std::map<std::string, PlotState> plots;

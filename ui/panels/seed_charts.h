@@ -34,6 +34,12 @@ void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& co
 /// Pinned seeds, one compact row each.
 void pinnedRows(PanelContext& c, const FilterGates& gates);
 
+/// One row of numbers: text for both rules, before and after an update.
+struct SeedFact {
+  std::string name, kl, js;
+};
+std::vector<SeedFact> seedFacts(const SeedUpdateView& update, double true_inv_distance);
+
 std::string traceCsv(const SeedTrace& trace);
 
 }  // namespace svoscope::ui
