@@ -27,10 +27,11 @@ bool proper(double mean1, double v1, double mean2, double v2) {
 double softplus(double x) { return x > 0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x)); }
 
 struct Gaussian {
-  double mean, sigma;
+  double mean, sigma, log_scale;
+  Gaussian(double m, double s) : mean(m), sigma(s), log_scale(std::log(s) + kLogSqrtTwoPi) {}
   double log(double x) const {
     const double t = (x - mean) / sigma;
-    return -0.5 * t * t - std::log(sigma) - kLogSqrtTwoPi;
+    return -0.5 * t * t - log_scale;
   }
 };
 
@@ -77,7 +78,7 @@ double klGaussian(double mean1, double v1, double mean2, double v2) {
 
 double jsdNumeric(double mean1, double v1, double mean2, double v2) {
   if (!proper(mean1, v1, mean2, v2)) return kLog2;
-  const Gaussian p{mean1, std::sqrt(v1)}, q{mean2, std::sqrt(v2)};
+  const Gaussian p(mean1, std::sqrt(v1)), q(mean2, std::sqrt(v2));
   std::vector<double> grid;
   grid.reserve(2 * kGridPoints);
   for (const Gaussian& g : {p, q}) {

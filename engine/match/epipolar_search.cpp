@@ -230,6 +230,19 @@ EpipolarMatch searchEpipolar(const EpipolarQuery& q, const EpipolarParameters& p
   return match;
 }
 
+SearchSetup prepareSearch(const EpipolarQuery& q, const EpipolarParameters& p) {
+  Prepared s;
+  SearchSetup setup;
+  setup.outcome = prepare(q, p, s);
+  if (setup.outcome != SearchOutcome::matched) return setup;
+  setup.px_near = s.line.near;
+  setup.px_far = s.line.far;
+  setup.level = s.level;
+  setup.length_px = (s.line.near - s.line.far).norm() / (1 << s.level);
+  setup.patch = s.patch;
+  return setup;
+}
+
 std::vector<ProfileSample> scoreProfile(const EpipolarQuery& q, const EpipolarParameters& p) {
   std::vector<ProfileSample> samples;
   Prepared s;
