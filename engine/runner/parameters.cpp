@@ -56,6 +56,12 @@ std::string known(Parameters& parameters, const std::string& key) {
   return same.empty() ? "groups are " + groups : "known are " + same;
 }
 
+bool hasParameter(Parameters& parameters, const std::string& key) {
+  bool found = false;
+  visitParameters(parameters, [&](const ParameterInfo& info, auto&) { found = found || key == info.key; });
+  return found;
+}
+
 /// A value of a configuration file: its errors are input errors that name the file.
 Status setInFile(Parameters& parameters, const std::string& key, const YAML::Node& value, const std::string& where) {
   const Status set = setParameter(parameters, key, value.as<std::string>());
@@ -118,7 +124,7 @@ Status loadParameters(Parameters& parameters, const std::filesystem::path& file)
       const auto name = group.first.as<std::string>();
       // What parametersYaml adds for the record.
       if (name == "method") continue;
-      if (group.second.IsScalar()) {
+      if (group.second.IsScalar() && hasParameter(parameters, name)) {
         if (const Status set = setInFile(parameters, name, group.second, where); !set.ok()) return set;
         continue;
       }
