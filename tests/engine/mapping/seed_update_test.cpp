@@ -4,176 +4,205 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+
+#include "tests/support/plane_scene.h"
 
 namespace svoscope {
 namespace {
 
-Pinhole camera() {
-  Pinhole c;
-  c.width = 640;
-  c.height = 480;
-  c.fx = c.fy = 500;
-  c.cx = 319.5;
-  c.cy = 239.5;
-  return c;
-}
-
-Seed freshSeed(const DepthFilterParameters& p) {
-  DetectedFeature f;
-  f.px = Vec2(300, 200);
-  Seed seed = makeSeed(f, camera(), 2.0, 1.0, p);
-  seed.id = 7;
-  seed.keyframe_id = 3;
+Seed seedAt(double mu, double sigma) {
+  Seed seed;
+  seed.belief = {mu, sigma * sigma, 10, 10};
+  seed.range = 1;
   return seed;
 }
 
-SeedMeasurement measured(double x, double tau, SearchOutcome outcome = SearchOutcome::matched) {
-  SeedMeasurement m;
-  m.outcome = outcome;
-  m.x = x;
-  m.tau = tau;
-  m.px = Vec2(310, 205);
-  m.score = 40;
-  m.frame_index = 12;
-  return m;
+SeedMeasurement matched(double x, double tau) { return {1, 0, 7, SearchOutcome::matched, x, tau}; }
+SeedMeasurement outcome(SearchOutcome o) { return {1, 0, 7, o, 0, 0}; }
+
+TEST(MakeSeed, StartsFromTheDepthsOfTheScene) {
+  const Pinhole camera = test::smallCamera();
+  const DetectedFeature feature{Vec2(100, 50), 1, FeatureType::edgelet, 12.0, Vec2(0, 1)};
+  const Seed seed = makeSeed(feature, camera, 4.0, 0.8, {});
+  EXPECT_EQ(seed.status, SeedStatus::active);
+  EXPECT_DOUBLE_EQ(seed.belief.mu, 0.25);
+  EXPECT_DOUBLE_EQ(seed.range, 1 / 0.4);
+  EXPECT_NEAR(seed.belief.sigma2, seed.range * seed.range / 36, 1e-12);
+  EXPECT_EQ(seed.belief.a, 10);
+  EXPECT_EQ(seed.belief.b, 10);
+  EXPECT_EQ(seed.anchor.px, feature.px);
+  EXPECT_LT((seed.anchor.f - camera.bearing(feature.px)).norm(), 1e-12);
+  EXPECT_EQ(seed.anchor.level, 1);
+  EXPECT_EQ(seed.anchor.type, FeatureType::edgelet);
+  EXPECT_EQ(seed.anchor.gradient_dir, Vec2(0, 1));
 }
 
-TEST(SeedUpdate, BothRulesSeeTheSameMeasurements) {
-  for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) {
-    DepthFilterParameters p;
-    p.rule = rule;
-    Seed seed = freshSeed(p);
-    Belief kl = seed.belief, js = seed.belief;
-    for (const double x : {0.5, 0.52, 0.9, 0.51}) {
-      applyMeasurement(seed, measured(x, 0.02), p);
-      kl = updateKl(kl, {x, 0.02 * 0.02, seed.range});
-      js = updateJs(js, {x, 0.02 * 0.02, seed.range});
-    }
-    applyMeasurement(seed, measured(0, 0, SearchOutcome::no_match), p);
-    EXPECT_DOUBLE_EQ(beliefView(seed, FilterRule::kl, rule).mu, static_cast<float>(kl.mu));
-    EXPECT_DOUBLE_EQ(beliefView(seed, FilterRule::js, rule).mu, static_cast<float>(js.mu));
-    EXPECT_FLOAT_EQ(beliefView(seed, FilterRule::kl, rule).b, static_cast<float>(kl.b + 1));
-    EXPECT_FLOAT_EQ(beliefView(seed, FilterRule::js, rule).b, static_cast<float>(js.b + 1));
-    EXPECT_DOUBLE_EQ(seed.belief.mu, rule == FilterRule::kl ? kl.mu : js.mu);
-  }
+TEST(ApplyMeasurement, AMatchUpdatesTheBelief) {
+  Seed seed = seedAt(0.5, 0.1);
+  applyMeasurement(seed, matched(0.55, 0.05), {});
+  EXPECT_GT(seed.belief.mu, 0.5);
+  EXPECT_LT(seed.belief.sigma2, 0.01);
+  EXPECT_EQ(seed.updates, 1);
+  EXPECT_EQ(seed.failures, 0);
+  EXPECT_EQ(seed.last_frame, 7);
+  EXPECT_EQ(seed.last_x, 0.55);
+  EXPECT_EQ(seed.last_tau, 0.05);
+  EXPECT_EQ(seed.outcome, SearchOutcome::matched);
+  EXPECT_EQ(seed.status, SeedStatus::active);
 }
 
-TEST(SeedUpdate, WithoutShadowTheOtherRuleIsMarkedAsNotComputed) {
-  DepthFilterParameters p;
-  p.shadow = false;
-  Seed seed = freshSeed(p);
-  applyMeasurement(seed, measured(0.5, 0.02), p);
-  EXPECT_GT(beliefView(seed, FilterRule::kl, p.rule).sigma, 0);
-  EXPECT_EQ(beliefView(seed, FilterRule::js, p.rule).sigma, 0);
-  p.shadow = true;  // too late: it missed a measurement
-  applyMeasurement(seed, measured(0.5, 0.02), p);
-  EXPECT_EQ(beliefView(seed, FilterRule::js, p.rule).sigma, 0);
+TEST(ApplyMeasurement, AFailedSearchIsOneOutlierSeen) {
+  Seed seed = seedAt(0.5, 0.1);
+  applyMeasurement(seed, outcome(SearchOutcome::no_match), {});
+  EXPECT_EQ(seed.belief.b, 11);
+  EXPECT_EQ(seed.belief.a, 10);
+  EXPECT_EQ(seed.belief.mu, 0.5);
+  EXPECT_EQ(seed.failures, 1);
+  EXPECT_EQ(seed.updates, 0);
 }
 
-TEST(SeedUpdate, UpdatesAreDescribed) {
-  DepthFilterParameters p;
-  const Seed before = freshSeed(p);
-  Seed after = before;
-  const SeedMeasurement m = measured(0.6, 0.03);
-  applyMeasurement(after, m, p);
-  const SeedUpdateView v = describeUpdate(before, after, m, p.rule);
-  EXPECT_EQ(v.seed_id, 7);
-  EXPECT_EQ(v.keyframe_id, 3);
-  EXPECT_EQ(v.frame_index, 12);
-  EXPECT_EQ(v.px, Vec2f(310, 205));
-  EXPECT_FLOAT_EQ(v.score, 40);
-  EXPECT_FLOAT_EQ(v.kl_before.mu, static_cast<float>(before.belief.mu));
-  EXPECT_FLOAT_EQ(v.kl_after.mu, static_cast<float>(after.belief.mu));
-  EXPECT_FLOAT_EQ(v.js_after.mu, static_cast<float>(after.shadow.mu));
-  EXPECT_FLOAT_EQ(v.kl_belief_measurement,
-                  static_cast<float>(klGaussian(before.belief.mu, before.belief.sigma2, 0.6, 0.03 * 0.03)));
-  EXPECT_FLOAT_EQ(v.kl_measurement_belief,
-                  static_cast<float>(klGaussian(0.6, 0.03 * 0.03, before.belief.mu, before.belief.sigma2)));
-  EXPECT_GT(v.jsd, 0);
-  EXPECT_LT(v.jsd, kLog2);
-  EXPECT_GT(v.affinity, 0);
-}
-
-TEST(SeedUpdate, EndingsHaveReasons) {
-  DepthFilterParameters p;
-  Seed seed = freshSeed(p);
-  for (int i = 0; i < 500 && seed.ending == SeedEnding::none; ++i)
-    applyMeasurement(seed, measured(0, 0, SearchOutcome::no_match), p);
-  EXPECT_EQ(seed.ending, SeedEnding::inlier_ratio);
-  EXPECT_EQ(seed.status, SeedStatus::rejected);
-
-  Seed behind = freshSeed(p);
-  for (int i = 0; i < 50 && behind.ending == SeedEnding::none; ++i) applyMeasurement(behind, measured(-0.4, 0.01), p);
-  EXPECT_EQ(behind.ending, SeedEnding::no_depth);
-
-  Seed broken = freshSeed(p);
-  broken.belief.mu = std::numeric_limits<double>::quiet_NaN();
-  applyMeasurement(broken, measured(0.5, 0.01), p);
-  EXPECT_EQ(broken.ending, SeedEnding::not_finite);
-  EXPECT_EQ(broken.status, SeedStatus::rejected);
-}
-
-TEST(SeedUpdate, SeedsEndWithTheirKeyframe) {
-  Map map;
-  Keyframe& keyframe = map.keyframes[3];
-  keyframe.id = 3;
-  keyframe.seeds.push_back(freshSeed({}));
-  map.removeKeyframe(3);
-  ASSERT_EQ(map.orphans.size(), 1u);
-  EXPECT_EQ(map.orphans[0].seed.ending, SeedEnding::keyframe_removed);
-  EXPECT_EQ(map.orphans[0].seed.id, 7);
-}
-
-TEST(SeedUpdate, DegenerateMeasurementsLeaveTheSeedUsable) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) {
-    DepthFilterParameters p;
-    p.rule = rule;
-    Seed seed = freshSeed(p);
-    const Seed before = seed;
-    for (SeedMeasurement m : {measured(nan, 0.1), measured(0.5, nan), measured(0.5, 0), measured(inf, 0.1), measured(0.5, inf)}) {
-      m.score = nan;
-      const Seed last = seed;
-      applyMeasurement(seed, m, p);
-      const SeedUpdateView v = describeUpdate(last, seed, m, p.rule);
-      for (const float value : {v.score, v.x, v.tau, v.jsd, v.affinity, v.kl_belief_measurement, v.kl_measurement_belief})
-        EXPECT_TRUE(std::isfinite(value));
-    }
-    EXPECT_DOUBLE_EQ(seed.belief.mu, before.belief.mu);
+TEST(ApplyMeasurement, OutcomesWithoutInformationLeaveTheBelief) {
+  for (const SearchOutcome o : {SearchOutcome::out_of_view, SearchOutcome::low_parallax, SearchOutcome::edge_parallel}) {
+    Seed seed = seedAt(0.5, 1e-4);  // would converge if it were looked at
+    applyMeasurement(seed, outcome(o), {});
+    EXPECT_EQ(seed.belief.b, 10);
+    EXPECT_EQ(seed.failures, 0);
     EXPECT_EQ(seed.status, SeedStatus::active);
-    // A measurement at infinity with a wide tau, as without parallax.
-    applyMeasurement(seed, measured(1e-9, 1e6), p);
-    EXPECT_TRUE(std::isfinite(seed.belief.mu));
-    EXPECT_EQ(seed.ending, SeedEnding::none);
+    EXPECT_EQ(seed.outcome, o);
   }
 }
 
-TEST(SeedUpdate, ZeroBaselineIsNoMeasurement) {
-  EXPECT_GE(inverseDistanceSigma(SE3(), Vec3::UnitZ(), 0.5, 1, 500), 1e5);
-  cv::Mat gray(240, 320, CV_8UC1);
-  for (int y = 0; y < gray.rows; ++y) {
-    for (int x = 0; x < gray.cols; ++x) gray.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(127 + 60 * std::sin(0.4 * x) * std::cos(0.3 * y));
+TEST(ApplyMeasurement, ConvergesOnlyWithSmallSigmaAndEnoughInliers) {
+  const DepthFilterParameters p;
+  Seed seed = seedAt(0.5, 0.0049);
+  seed.belief.a = 11;
+  applyMeasurement(seed, matched(0.5, 0.02), p);
+  EXPECT_EQ(seed.status, SeedStatus::converged);
+  Seed wide = seedAt(0.5, 0.02);
+  wide.belief.a = 30;
+  applyMeasurement(wide, matched(0.5, 0.02), p);
+  EXPECT_EQ(wide.status, SeedStatus::active);
+  Seed hopeless = seedAt(0.5, 0.001);  // sharp, but hardly ever confirmed
+  hopeless.belief.b = 30;
+  applyMeasurement(hopeless, matched(0.5, 0.001), p);
+  EXPECT_EQ(hopeless.status, SeedStatus::active);
+}
+
+TEST(ApplyMeasurement, RejectedWhenInliersRunOutOrTheDepthTurnsNegative) {
+  Seed seed = seedAt(0.5, 0.1);
+  int misses = 0;
+  while (seed.status == SeedStatus::active && misses < 1000) {
+    applyMeasurement(seed, outcome(SearchOutcome::no_match), {});
+    ++misses;
   }
-  Pinhole c = camera();
-  c.width = 320;
-  c.height = 240;
-  const PyramidPtr pyramid = buildPyramid(gray, 3);
-  EpipolarQuery q;
-  q.ref = q.cur = pyramid.get();
-  q.camera = c;
-  q.f_ref = c.bearing(q.px_ref = Vec2(150, 120));
-  q.mu = 0.5;
-  q.sigma = 0.1;
-  EXPECT_EQ(searchEpipolar(q, {}, {}).outcome, SearchOutcome::low_parallax);
-  // At the border, and out of view.
-  q.T_cur_ref = SE3(Eigen::Quaterniond::Identity(), Vec3(0.1, 0, 0));
-  q.f_ref = c.bearing(q.px_ref = Vec2(318, 120));
-  EXPECT_EQ(searchEpipolar(q, {}, {}).outcome, SearchOutcome::out_of_view);
-  q.f_ref = c.bearing(q.px_ref = Vec2(150, 120));
-  q.T_cur_ref = SE3(Eigen::Quaterniond::Identity(), Vec3(0, 0, -10));
-  q.mu = 1;
-  EXPECT_EQ(searchEpipolar(q, {}, {}).outcome, SearchOutcome::out_of_view);
+  EXPECT_EQ(seed.status, SeedStatus::rejected);
+  EXPECT_EQ(misses, 106);  // 10 / (20 + n) < 0.08
+  Seed behind = seedAt(0.01, 0.2);
+  applyMeasurement(behind, matched(-0.3, 0.05), {});
+  EXPECT_EQ(behind.status, SeedStatus::rejected);
+}
+
+TEST(ApplyMeasurement, NaNLeavesTheBelief) {
+  Seed seed = seedAt(0.5, 0.1);
+  applyMeasurement(seed, matched(std::nan(""), 0.1), {});
+  applyMeasurement(seed, matched(0.5, std::nan("")), {});
+  EXPECT_EQ(seed.belief.mu, 0.5);
+  EXPECT_EQ(seed.belief.a, 10);
+  EXPECT_EQ(seed.status, SeedStatus::active);
+}
+
+/// A job that measures `seeds` of keyframe 0 at the origin in a new view.
+MappingJob jobFor(const test::PlaneScene& scene, const std::vector<Seed>& seeds, const PyramidPtr& reference,
+                  const SE3& T_cam_world, int frame) {
+  MappingJob job;
+  job.frame_index = frame;
+  job.camera = scene.camera();
+  job.T_cam_world = T_cam_world;
+  job.pyramid = scene.pyramid(T_cam_world, 4);
+  job.keyframes.push_back({0, reference, SE3()});
+  for (const Seed& s : seeds) {
+    if (s.status == SeedStatus::active)
+      job.seeds.push_back({s.id, 0, s.anchor, s.belief.mu, std::sqrt(s.belief.sigma2)});
+  }
+  return job;
+}
+
+std::vector<Seed> detectSeeds(const test::PlaneScene& scene, const PyramidPtr& reference) {
+  MappingJob job;
+  job.camera = scene.camera();
+  job.pyramid = reference;
+  job.new_seeds.wanted = true;
+  job.new_seeds.keyframe_id = 0;
+  job.new_seeds.occupied = OccupancyGrid(320, 240, 30);
+  job.new_seeds.median_depth = 2.6;  // 30 % too far: the filter has to work
+  job.new_seeds.min_depth = 1.2;
+  const MappingResult result = runMappingJob(job, {});
+  std::vector<Seed> seeds;
+  for (const NewSeed& fresh : result.new_seeds) {
+    seeds.push_back(makeSeed(fresh.feature, scene.camera(), result.median_depth, result.min_depth, {}));
+    seeds.back().id = static_cast<std::int64_t>(seeds.size()) - 1;
+  }
+  return seeds;
+}
+
+TEST(MappingJob, SeedsConvergeToTheTrueDepth) {
+  const test::PlaneScene scene(test::smallCamera(), Vec3(0.3, 0.1, 1), 2, 0.055);
+  const PyramidPtr reference = scene.pyramid(SE3(), 4);
+  std::vector<Seed> seeds = detectSeeds(scene, reference);
+  ASSERT_GT(seeds.size(), 60u);
+  for (int k = 1; k <= 16; ++k) {
+    const SE3 T(so3Exp(Vec3(0, 0.004 * k, 0)), Vec3(-0.025 * k, 0.012 * k, 0));
+    for (const SeedMeasurement& m : runMappingJob(jobFor(scene, seeds, reference, T, k), {}).measurements) {
+      EXPECT_EQ(m.frame_index, k);
+      applyMeasurement(seeds[static_cast<std::size_t>(m.seed_id)], m, {});
+    }
+  }
+  int converged = 0, wrong = 0;
+  for (const Seed& s : seeds) {
+    if (s.status != SeedStatus::converged) continue;
+    ++converged;
+    const double truth = scene.inverseDistance(SE3(), s.anchor.px);
+    wrong += std::abs(s.belief.mu - truth) > 0.02 * truth;
+  }
+  EXPECT_GT(converged, 0.6 * static_cast<double>(seeds.size()));
+  EXPECT_LE(wrong, 0.05 * converged);
+}
+
+TEST(MappingJob, NewSeedsAreMeasuredAgainstOlderViews) {
+  const test::PlaneScene scene(test::smallCamera(), Vec3::UnitZ(), 2, 0.055);
+  MappingJob job;
+  job.camera = scene.camera();
+  job.pyramid = scene.pyramid(SE3(), 4);
+  job.new_seeds.wanted = true;
+  job.new_seeds.occupied = OccupancyGrid(320, 240, 30);
+  job.new_seeds.median_depth = 2.2;
+  job.new_seeds.min_depth = 1.5;
+  const SE3 older(Eigen::Quaterniond::Identity(), Vec3(0.15, 0, 0));
+  job.older_views.push_back({3, scene.pyramid(older, 4), older});
+  const MappingResult result = runMappingJob(job, {});
+  int measured = 0, good = 0;
+  for (const NewSeed& fresh : result.new_seeds) {
+    for (const SeedMeasurement& m : fresh.measurements) {
+      ++measured;
+      good += std::abs(m.x - scene.inverseDistance(SE3(), fresh.feature.px)) < m.tau;
+    }
+  }
+  EXPECT_GT(measured, 0.5 * static_cast<double>(result.new_seeds.size()));
+  EXPECT_GT(good, 0.9 * measured);
+}
+
+TEST(MappingJob, TakesNoMoreSeedsThanAllowed) {
+  const test::PlaneScene scene(test::smallCamera(), Vec3::UnitZ(), 2, 0.055);
+  MappingJob job;
+  job.camera = scene.camera();
+  job.pyramid = scene.pyramid(SE3(), 4);
+  job.new_seeds.wanted = true;
+  job.new_seeds.occupied = OccupancyGrid(320, 240, 30);
+  MappingParameters p;
+  p.filter.max_seeds_per_keyframe = 11;
+  EXPECT_EQ(runMappingJob(job, p).new_seeds.size(), 11u);
+  job.new_seeds.wanted = false;
+  EXPECT_TRUE(runMappingJob(job, p).new_seeds.empty());
 }
 
 }  // namespace
