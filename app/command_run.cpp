@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/depth_study_run.h"
 #include "app/drive.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -23,12 +24,15 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  svoscope run synthetic:room --out results\n"
     "  svoscope run SEQUENCE --method svo --sync --out results\n"
+    "  svoscope run synthetic:room --depth-study --poses groundtruth --out study\n"
     "  svoscope run SEQUENCE --config mine.yaml --set detect.cell_px=25 --out results";
 
 struct Arguments {
   RunSettings run;
   std::string out;
   bool sync = false;
+  bool depth_study = false;
+  std::string poses = "estimate";  ///< of the depth study
 };
 
 /// A bad disk gives a warning per frame: the first few say enough.
@@ -85,7 +89,11 @@ int driveAndReport(Runner& runner, const Arguments& arguments, const std::string
   if (outcome.interrupted) reportWarning("interrupted; what was done is written");
   fmt::print("{} on {}\n{}files       {}\n", runner.info().method, runner.info().sequence,
              metricsText(metrics.value()), writer.folder().string());
-  return exitCodeOf(outcome, metrics.value());
+  const int code = exitCodeOf(outcome, metrics.value());
+  const bool poses_known = arguments.poses == "groundtruth" || code == kExitDone;
+  if (!arguments.depth_study || outcome.interrupted || !poses_known) return code;
+  const int study = runDepthStudyCommand(arguments.run, arguments.poses, arguments.out, writer.records());
+  return study == kExitDone ? code : study;
 }
 
 int runRun(const Arguments& arguments) {
@@ -113,6 +121,11 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->type_name("DIR");
   command->add_flag("--sync", arguments->sync,
                     "Without threads: slower, the same result every time");
+  command->add_flag("--depth-study", arguments->depth_study,
+                    "Also hold both depth filters against true depth");
+  command->add_option("--poses", arguments->poses, "Camera poses of the depth study")
+      ->check(CLI::IsMember({"estimate", "groundtruth"}))
+      ->capture_default_str();
   command->callback([arguments, &action] { action = [arguments] { return runRun(*arguments); }; });
 }
 

@@ -57,7 +57,7 @@ struct Axis {
     if (log) {
       for (double v = low; v <= high * 1.001; v *= 10) values.push_back(v);
     } else {
-      for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) values.push_back(i * step);
+      for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) values.push_back(i == 0 ? 0.0 : i * step);  // no "-0"
     }
     return values;
   }
@@ -172,8 +172,8 @@ class Panel {
       widest = std::max<double>(widest, cv::getTextSize(s.name, cv::FONT_HERSHEY_SIMPLEX, 0.45, 1, &baseline).width);
     }
     const int width = static_cast<int>(widest) + 62, height = 20 * static_cast<int>(p_.series.size()) + 10;
-    const bool at_right = emptierRight(width, height);
-    const int x = at_right ? right() - width - 8 : kLeft + 8, y = kTop + 8;
+    const cv::Point corner = emptiestCorner(width, height);
+    const int x = corner.x, y = corner.y;
     cv::rectangle(canvas_, cv::Rect(x, y, width, height), cv::Scalar::all(255), cv::FILLED);
     cv::rectangle(canvas_, cv::Rect(x, y, width, height), kGrid);
     for (std::size_t i = 0; i < p_.series.size(); ++i) {
@@ -184,17 +184,26 @@ class Panel {
     }
   }
 
-  /// Fewer points under the legend at the right than at the left?
-  bool emptierRight(int width, int height) const {
-    int at_left = 0, at_right = 0;
-    for (const ChartSeries& s : p_.series) {
-      for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
-        if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i]) || pixelY(s.y[i]) > kTop + height + 12) continue;
-        at_left += pixelX(s.x[i]) < kLeft + width + 12;
-        at_right += pixelX(s.x[i]) > right() - width - 12;
+  /// Top left of a legend where it covers the fewest points.
+  cv::Point emptiestCorner(int width, int height) const {
+    const int left = kLeft + 8, high = kTop + 8, far = right() - width - 8, low = bottom() - height - 8;
+    cv::Point best;
+    int fewest = std::numeric_limits<int>::max();
+    for (const cv::Point corner : {cv::Point(far, high), cv::Point(left, high), cv::Point(far, low), cv::Point(left, low)}) {
+      const cv::Rect2d box(corner.x - 6, corner.y - 6, width + 12, height + 12);
+      int covered = 0;
+      for (const ChartSeries& s : p_.series) {
+        for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+          if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
+          covered += box.contains(cv::Point2d(pixelX(s.x[i]), pixelY(s.y[i])));
+        }
+      }
+      if (covered < fewest) {
+        fewest = covered;
+        best = corner;
       }
     }
-    return at_right <= at_left;
+    return best;
   }
 
   cv::Mat canvas_;
