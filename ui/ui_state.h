@@ -65,6 +65,7 @@ struct SeedOptions {
   int update = -1;             ///< index into the held updates; -1: the last one at the viewed frame
   int update_frame = -1;       ///< viewed frame that `update` was chosen at; another one frees it
   std::int64_t update_seed = -1;
+  int shown_update = 0, held_updates = 0;  ///< what the panels show: from 1, and of how many
   int step_request = 0;        ///< updates to step by, from a key
   bool whole_range = false;    ///< densities from 0 to the range, else about the belief
   std::vector<std::int64_t> pinned;
@@ -73,6 +74,7 @@ struct SeedOptions {
 
 /// Place on the epipolar line under the mouse in the score profile; drawn in the image.
 struct SearchHover {
+  bool fresh = false;          ///< set in this UI frame
   bool on = false;
   int frame = -1;
   Eigen::Vector2f px = Eigen::Vector2f::Zero();
@@ -80,6 +82,7 @@ struct SearchHover {
 
 /// The epipolar line of the update looked at; drawn in the image of its frame.
 struct SearchLine {
+  bool fresh = false;          ///< set in this UI frame
   int frame = -1;
   Eigen::Vector2f near_px = Eigen::Vector2f::Zero(), far_px = Eigen::Vector2f::Zero();
   Eigen::Vector2f match_px = Eigen::Vector2f::Zero();

@@ -146,7 +146,7 @@ void hoverProfile(PanelContext& c, Chart& chart, const SearchDetail& d, const Se
     if (std::abs(p.x[i] - chart.mouseX()) < std::abs(p.x[nearest] - chart.mouseX())) nearest = i;
   }
   const SearchSample& s = d.profile[nearest];
-  c.state.search_hover = {true, u.frame_index, s.px};
+  c.state.search_hover = {true, true, u.frame_index, s.px};
   chart.markX(p.x[nearest], {withAlpha(ink::cursor, 0.6f), 1, false});
   chart.point(p.x[nearest], s.score, PointShape::circle, 3.5f, ink::cursor);
   ImGui::BeginTooltip();
@@ -206,7 +206,7 @@ std::string summary(const SearchDetail& d, const SeedUpdateView& u) {
 }
 
 void shareLine(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) {
-  c.state.search_line = {u.frame_index, d.px_near, d.px_far, d.px_match, d.outcome == SearchOutcome::matched};
+  c.state.search_line = {true, u.frame_index, d.px_near, d.px_far, d.px_match, d.outcome == SearchOutcome::matched};
 }
 
 }  // namespace

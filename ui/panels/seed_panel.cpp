@@ -164,7 +164,9 @@ std::vector<SeedFact> seedFacts(const SeedUpdateView& u, double truth) {
     return SeedFact{name, change(u.kl_before, u.kl_after, pattern, field), change(u.js_before, u.js_after, pattern, field)};
   };
   const auto ratio = [](const BeliefView& before, const BeliefView& after) {
-    return drawable(after) ? format("%.3f → %.3f", inlierRatio(before), inlierRatio(after)) : std::string("not computed");
+    if (!drawable(after)) return std::string("not computed");
+    const double then = inlierRatio(before), now = inlierRatio(after);
+    return std::isfinite(now) && std::isfinite(then) ? format("%.3f → %.3f", then, now) : std::string("–");
   };
   std::vector<SeedFact> facts{both("μ, 1/map unit", "%.5f", &BeliefView::mu), both("σ, 1/map unit", "%.5f", &BeliefView::sigma),
                               both("a", "%.2f", &BeliefView::a), both("b", "%.2f", &BeliefView::b),

@@ -7,6 +7,7 @@
 #include "ui/panels/densities.h"
 #include "ui/panels/seed_charts.h"
 #include "ui/theme.h"
+#include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
