@@ -99,7 +99,7 @@ struct DivergenceOptions {
 /// What the filter lab's sliders stand at.
 struct LabSettings {
   float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;            ///< two Gaussians; offset = x - mu
-  float baseline = 0.3f, depth = 2.5f, pixel_noise = 1, focal = 525;  ///< two views: m, m, px, px
+  float baseline = 0.15f, depth = 2.5f, pixel_noise = 4, focal = 525;  ///< two views: m, m, px, px
   float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
 };
 
@@ -114,6 +114,7 @@ struct UiState {
   DivergenceOptions divergence;
   LabSettings lab;
   int lab_section = 0;         ///< divergences, two views, population, all
+  bool lab_wait = false;       ///< hold the window until the population is simulated; for scripts
   std::uint64_t lab_random_seed = 0;
   std::set<std::int64_t> highlighted;  ///< seeds, by a brush
   LinkedX linked_x;       ///< of all plots over frames

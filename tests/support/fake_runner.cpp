@@ -302,7 +302,10 @@ void FakeRunner::fillMap(Snapshot& s) const {
       points->push_back(p);
     }
     for (int f = options_.start, id = 0; f <= s.record.index; f += 9, ++id) {
-      if (stateOf(f) == TrackingState::tracking) keyframes->push_back({id, f, estimate(f)});
+      if (stateOf(f) == TrackingState::tracking) {
+        const SnapshotPtr held = f == s.record.index ? nullptr : at(f);
+        keyframes->push_back({id, f, estimate(f), held ? held->pyramid : s.pyramid});
+      }
     }
   }
   s.record.landmarks = static_cast<int>(points->size());

@@ -39,6 +39,7 @@ const std::map<std::string, Option>& options() {
       {"search.pixels", member(&UiState::seed, &SeedOptions::profile_in_pixels)},
       {"divergence.whole_run", member(&UiState::divergence, &DivergenceOptions::whole_run)},
       {"lab.section", member(&UiState::lab_section)},
+      {"lab.wait", member(&UiState::lab_wait)},
       {"lab.mu", member(&UiState::lab, &LabSettings::mu)},
       {"lab.sigma", member(&UiState::lab, &LabSettings::sigma)},
       {"lab.offset", member(&UiState::lab, &LabSettings::offset)},

@@ -104,7 +104,7 @@ void drawSearch(const ImageView& view, int frame, const SearchLine& line, const 
     list->AddLine(a, b, kShadow, dp(4));
     list->AddLine(a, b, ink::cursor, dp(1.6f));
     for (const ImVec2& end : {a, b}) list->AddCircleFilled(end, dp(2.5f), ink::cursor, 8);
-    outlinedText(list, {a.x + dp(5), a.y + dp(2)}, ink::cursor, "near");
+    if (std::hypot(b.x - a.x, b.y - a.y) > dp(40)) outlinedText(list, {a.x + dp(5), a.y + dp(2)}, ink::cursor, "near");
     if (line.matched && line.match_px.allFinite()) ring(list, view.toScreen(line.match_px), dp(5), ink::measurement);
   }
   if (!hover.on || hover.frame != frame || !hover.px.allFinite()) return;

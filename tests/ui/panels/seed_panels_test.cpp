@@ -14,6 +14,7 @@
 #include "ui/panels/lab_view.h"
 #include "ui/panels/seed_charts.h"
 #include "ui/panels/seed_trace.h"
+#include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
 namespace {
@@ -291,7 +292,9 @@ TEST_F(DegenerateSeeds, DrawNothingWrongInAnyPanel) {
       snapshot->seeds = std::make_shared<const std::vector<SeedView>>(3, seed);
       snapshot->seed_updates = std::make_shared<const std::vector<SeedUpdateView>>(3, badUpdate(bad));
       runner.last_ = snapshot;
-      runner.send({Command::Kind::play});
+      Command play;
+      play.kind = Command::Kind::play;
+      runner.send(play);
       while (runner.pump()) {
       }
       Inspector inspector(runner, host_->graphics());
