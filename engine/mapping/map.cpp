@@ -35,27 +35,36 @@ void Map::removeLandmark(std::int64_t id) {
   landmarks.erase(id);
 }
 
+void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
+  Landmark* landmark = find(landmark_id);
+  if (!landmark) return;
+  if (Keyframe* keyframe = findKeyframe(keyframe_id)) eraseValue(keyframe->landmarks, landmark_id);
+  auto& views = landmark->observations;
+  views.erase(std::remove_if(views.begin(), views.end(),
+                             [keyframe_id](const LandmarkObservation& o) { return o.keyframe_id == keyframe_id; }),
+              views.end());
+  if (views.size() < 2) removeLandmark(landmark_id);
+}
+
+void Map::endSeeds(Keyframe& keyframe, SeedEnding ending) {
+  for (Seed& seed : keyframe.seeds) {
+    if (seed.ending == SeedEnding::none) {
+      seed.status = SeedStatus::rejected;
+      seed.ending = ending;
+    }
+    orphans.push_back({seed, keyframe.T_cam_world});
+  }
+  keyframe.seeds.clear();
+}
+
 void Map::removeKeyframe(int id) {
   Keyframe* keyframe = findKeyframe(id);
   if (!keyframe) return;
   const std::vector<std::int64_t> seen = keyframe->landmarks;
-  for (Seed& seed : keyframe->seeds) {
-    if (seed.ending == SeedEnding::none) {
-      seed.status = SeedStatus::rejected;
-      seed.ending = SeedEnding::keyframe_removed;
-    }
-    orphans.push_back({seed, keyframe->T_cam_world});
-  }
+  for (const std::int64_t landmark_id : seen) removeObservation(landmark_id, id);
+  endSeeds(*keyframe, SeedEnding::keyframe_removed);
+  retired.push_back({id, keyframe->frame_index, keyframe->T_cam_world.inverse()});
   keyframes.erase(id);
-  for (const std::int64_t landmark_id : seen) {
-    Landmark* landmark = find(landmark_id);
-    if (!landmark) continue;
-    auto& observations = landmark->observations;
-    observations.erase(std::remove_if(observations.begin(), observations.end(),
-                                      [id](const LandmarkObservation& o) { return o.keyframe_id == id; }),
-                       observations.end());
-    if (observations.size() < 2) removeLandmark(landmark_id);
-  }
 }
 
 int Map::seedCount() const {

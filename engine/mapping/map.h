@@ -67,6 +67,13 @@ struct Keyframe {
   std::vector<std::int64_t> landmarks;        ///< seen in it
   std::vector<Seed> seeds;
   cv::Mat thumbnail;                          ///< small blurred float image, zero mean
+  int last_local_frame = -1;                  ///< last frame that searched its features
+};
+
+/// What is left of a keyframe that was removed from the map.
+struct RetiredKeyframe {
+  int id = -1, frame_index = -1;
+  SE3 T_world_cam;
 };
 
 /// A seed that went with its keyframe.
@@ -77,6 +84,7 @@ struct OrphanSeed {
 
 struct Map {
   Pinhole camera;
+  std::vector<RetiredKeyframe> retired;       ///< by id
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
   std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
@@ -96,6 +104,10 @@ struct Map {
   Landmark& addLandmark(const Vec3& p_world, FeatureType type);
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);
   void removeLandmark(std::int64_t id);
+  /// Takes back one view; a landmark left with fewer than two goes.
+  void removeObservation(std::int64_t landmark_id, int keyframe_id);
+  /// Ends all seeds of a keyframe; they are kept as orphans until the next frame.
+  void endSeeds(Keyframe& keyframe, SeedEnding ending);
   /// Removes the keyframe, its seeds and its observations; landmarks left with fewer than two
   /// observations go too.
   void removeKeyframe(int id);

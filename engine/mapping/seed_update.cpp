@@ -134,6 +134,7 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& p) {
       result.new_seeds.push_back(std::move(fresh));
     }
   }
+  if (!job.adjustment.empty()) result.adjustment = adjustLocally(job.adjustment, p.local_ba);
   result.time_ms = watch.ms();
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/detect/feature_detector.h"
+#include "engine/mapping/local_adjustment.h"
 #include "engine/mapping/map.h"
 #include "engine/match/epipolar_search.h"
 
@@ -57,6 +58,7 @@ struct MappingJob {
   NewSeedRequest new_seeds;
   /// Older views that new seeds are measured against at once.
   std::vector<JobKeyframe> older_views;
+  AdjustmentProblem adjustment;   ///< of the keyframe's neighbourhood; may be empty
 };
 
 struct SeedMeasurement {
@@ -80,6 +82,7 @@ struct MappingResult {
   std::vector<SeedMeasurement> measurements;
   std::vector<NewSeed> new_seeds;
   double median_depth = 1, min_depth = 0.5;
+  AdjustmentResult adjustment;
   double time_ms = 0;
 };
 
@@ -88,6 +91,7 @@ struct MappingParameters {
   EpipolarParameters search;
   FeatureAlignmentParameters alignment;
   DepthFilterParameters filter;
+  LocalAdjustmentParameters local_ba;
 };
 
 /// Runs a job. Pure: reads only the job.

@@ -26,6 +26,7 @@ class Engine {
   void step();
   std::optional<MappingJob> takeMappingJob() { return tracker_.takeMappingJob(); }
   void applyMapping(const MappingResult& result) { tracker_.applyMapping(result); }
+  void setTimed(bool timed) { tracker_.setTimed(timed); }
   const MappingParameters& mappingParameters() const { return parameters_.tracker.mapping; }
 
   const FrameRecord& record() const { return record_; }

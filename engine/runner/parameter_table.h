@@ -14,6 +14,7 @@ struct ParameterInfo {
   bool needs_reset = false;
 };
 
+/// A key without a group stands at the top level of a configuration file.
 /// Calls f(info, field) for every parameter; fields are int, double or bool references.
 template <typename P, typename F>
 void visitTracking(P& p, F&& f) {
@@ -76,6 +77,18 @@ void visitMapping(P& p, F&& f) {
 }
 
 template <typename P, typename F>
+void visitAdjustment(P& p, F&& f) {
+  auto& b = p.tracker.mapping.local_ba;
+  f(ParameterInfo{"local_ba", "", "local bundle adjustment at every keyframe", 0, 1}, b.enabled);
+  f(ParameterInfo{"adjust.keyframes", "", "refined besides the newest", 1, 100}, b.keyframes);
+  f(ParameterInfo{"adjust.fixed_keyframes", "", "held, others that see the same landmarks", 0, 100}, b.fixed_keyframes);
+  f(ParameterInfo{"adjust.max_iterations", "", "Levenberg-Marquardt steps", 1, 100}, b.max_iterations);
+  f(ParameterInfo{"adjust.robust_px", "px", "scale of the Huber loss, times 2^level", 0.05, 20}, b.robust_px);
+  f(ParameterInfo{"adjust.outlier_px", "px", "views with a larger error are removed, times 2^level", 0.1, 50}, b.outlier_px);
+  f(ParameterInfo{"adjust.max_time_ms", "ms", "time box, not in synchronous runs", 1, 10000}, b.max_time_ms);
+}
+
+template <typename P, typename F>
 void visitQuality(P& p, F&& f) {
   auto& t = p.tracker;
   f(ParameterInfo{"quality.min_inliers", "", "fewer after pose refinement: lost", 5, 1000}, t.quality.min_inliers);
@@ -91,6 +104,7 @@ template <typename P, typename F>
 void visitParameters(P& p, F&& f) {
   visitTracking(p, f);
   visitMapping(p, f);
+  visitAdjustment(p, f);
   visitQuality(p, f);
 }
 

@@ -132,8 +132,11 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
 
 std::shared_ptr<const std::vector<KeyframeView>> SnapshotBuilder::keyframeViews(const Tracker& tracker) {
   auto views = std::make_shared<std::vector<KeyframeView>>();
+  for (const RetiredKeyframe& k : tracker.map().retired)
+    views->push_back({k.id, k.frame_index, k.T_world_cam, nullptr, false});
   for (const auto& [id, keyframe] : tracker.map().keyframes)
-    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid});
+    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid, true});
+  std::sort(views->begin(), views->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return views;
 }
 
@@ -152,6 +155,13 @@ std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(con
   }
   std::sort(views->begin(), views->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return views;
+}
+
+std::shared_ptr<Snapshot> SnapshotBuilder::buildEmpty() {
+  auto s = std::make_shared<Snapshot>();
+  s->sequence_number = ++sequence_number_;
+  s->bytes = sizeof(Snapshot);
+  return s;
 }
 
 std::shared_ptr<const MappingParameters> SnapshotBuilder::mappingOf(const Tracker& tracker) {
@@ -177,7 +187,7 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) + s->seeds->size() * sizeof(SeedView) +
              s->seed_updates->size() * sizeof(SeedUpdateView);
   // Poses and points move a little in every frame; shown anew when the map gained or lost keyframes.
-  const std::size_t count = tracker.map().keyframes.size();
+  const std::size_t count = tracker.map().keyframes.size() + tracker.map().retired.size();
   if (!keyframes_ || tracker.record().is_keyframe || keyframes_->size() != count) {
     keyframes_ = keyframeViews(tracker);
     points_ = pointViews(tracker);

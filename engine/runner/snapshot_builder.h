@@ -18,6 +18,8 @@ class SnapshotBuilder {
 
   explicit SnapshotBuilder(DepthReader depth) : read_depth_(std::move(depth)) {}
 
+  /// Of a frame that could not be read: numbered in turn, nothing in it.
+  std::shared_ptr<Snapshot> buildEmpty();
   /// Takes the seed updates kept by the tracker.
   std::shared_ptr<Snapshot> build(Tracker& tracker);
   void reset();

@@ -23,6 +23,7 @@ const char* seedEndingName(SeedEnding ending) {
     case SeedEnding::no_depth: return "mean not in front of the camera";
     case SeedEnding::not_finite: return "belief not finite";
     case SeedEnding::keyframe_removed: return "keyframe removed";
+    case SeedEnding::out_of_sight: return "keyframe long out of sight";
     case SeedEnding::promoted: return "became a landmark";
   }
   return "unknown";

@@ -61,6 +61,7 @@ enum class SeedEnding : std::uint8_t {
   no_depth,          ///< its mean is at or behind infinity
   not_finite,        ///< its belief is not a number
   keyframe_removed,  ///< its keyframe left the map
+  out_of_sight,      ///< its keyframe was not seen for long
   promoted,          ///< it became a landmark
 };
 const char* seedEndingName(SeedEnding ending);
@@ -125,6 +126,7 @@ struct KeyframeView {
   int frame_index = -1;
   SE3 T_world_cam;
   std::shared_ptr<const std::vector<cv::Mat>> pyramid;  ///< rectified, CV_8UC1; shared with its frame
+  bool in_map = true;   ///< false: removed from the map since, the pose is its last
 };
 
 struct MapPointView {

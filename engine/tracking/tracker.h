@@ -48,6 +48,8 @@ class Tracker {
   /// Registers the next frame. `gray` is rectified, CV_8UC1, and is kept: the caller must not write it.
   const FrameRecord& process(int index, double timestamp, const cv::Mat& gray);
 
+  /// Local bundle adjustment may be cut off by the clock (threads); a synchronous run never is.
+  void setTimed(bool timed) { timed_ = timed; }
   /// Work for the mapping thread caused by the last frame, if any.
   std::optional<MappingJob> takeMappingJob();
   /// Applies what the mapping thread found, also for an older frame.
@@ -94,6 +96,7 @@ class Tracker {
   void requestSeeds(const Keyframe& keyframe);
   void requestMeasurements();
   void limitKeyframes();
+  void applyAdjustment(const AdjustmentResult& adjustment);
   void dropEndedSeeds();
   bool measureSeed(Seed& seed, const SeedMeasurement& m);
   Seed* findSeed(int keyframe_id, std::int64_t id);
@@ -118,6 +121,7 @@ class Tracker {
   bool inspected_ = false;
   int last_keyframe_frame_ = -1, lost_frames_ = 0;
   int latest_keyframe_ = -1;
+  bool timed_ = false;
 };
 
 /// Median and 5 % quantile of the depth (z) of the frame's inliers; false if there are none.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostJobSeeds = 800;
 constexpr std::size_t kOlderViews = 3;
+constexpr int kSeedMemoryFrames = 60;
 constexpr double kDegree = M_PI / 180.0;
 
 double quantile(std::vector<double> values, double q) {
@@ -47,11 +48,17 @@ Seed* Tracker::findSeed(int keyframe_id, std::int64_t id) {
   return it != seeds.end() && it->id == id ? &*it : nullptr;
 }
 
-/// Ended seeds stay for one frame, so that its snapshot shows how they ended.
+/// Ended seeds stay for one frame, so that its snapshot shows how they ended. Keyframes long out of
+/// sight lose theirs: the cost of a frame must not grow with the path.
 void Tracker::dropEndedSeeds() {
+  for (const int id : local_keyframes_) {
+    if (Keyframe* keyframe = map_.findKeyframe(id)) keyframe->last_local_frame = frame_.index;
+  }
   map_.orphans.clear();
   for (auto& [id, keyframe] : map_.keyframes) {
     auto& seeds = keyframe.seeds;
+    if (frame_.index - std::max(keyframe.last_local_frame, keyframe.frame_index) > kSeedMemoryFrames)
+      map_.endSeeds(keyframe, SeedEnding::out_of_sight);
     seeds.erase(std::remove_if(seeds.begin(), seeds.end(),
                                [](const Seed& s) {
                                  return s.status == SeedStatus::rejected || s.status == SeedStatus::promoted;
@@ -184,6 +191,9 @@ void Tracker::insertKeyframe(const std::string& reason) {
   event(EventKind::keyframe, fmt::format("keyframe {}: {}", id, reason));
   limitKeyframes();
   requestSeeds(keyframe);
+  if (!parameters_.mapping.local_ba.enabled) return;
+  job_->adjustment = localProblem(map_, id, parameters_.mapping.local_ba);
+  job_->adjustment.timed = timed_;
 }
 
 void Tracker::limitKeyframes() {
@@ -260,6 +270,7 @@ void Tracker::applyMapping(const MappingResult& result) {
     record_.seed_updates += m.outcome == SearchOutcome::matched;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
+  applyAdjustment(result.adjustment);
   Keyframe* keyframe = map_.findKeyframe(result.keyframe_id);
   if (!keyframe) return;
   for (const NewSeed& fresh : result.new_seeds) {
@@ -273,6 +284,36 @@ void Tracker::applyMapping(const MappingResult& result) {
     keyframe->seeds.push_back(seed);
   }
   record_.seeds = map_.seedCount();
+}
+
+/// Takes over refined poses and points. The current frame moves along with the newest keyframe of
+/// the window, so that frame and map stay consistent.
+void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
+  if (!adjustment.ok) return;
+  SE3 correction;   // old world to new world, near the newest keyframe
+  for (const AdjustmentKeyframe& k : adjustment.keyframes) {
+    Keyframe* keyframe = map_.findKeyframe(k.id);
+    if (!keyframe || k.fixed) continue;
+    correction = k.T_cam_world.inverse() * keyframe->T_cam_world;
+    keyframe->T_cam_world = k.T_cam_world;
+  }
+  for (const AdjustmentPoint& p : adjustment.points) {
+    if (Landmark* landmark = map_.find(p.id)) landmark->p_world = p.p_world;
+  }
+  for (const AdjustmentResult::Outlier& o : adjustment.outliers) map_.removeObservation(o.landmark_id, o.keyframe_id);
+  const SE3 undo = correction.inverse();
+  frame_.T_cam_world = frame_.T_cam_world * undo;
+  T_last_good_ = T_last_good_ * undo;
+  for (TrackedFeature& f : frame_.features) {
+    if (f.origin == FeatureOrigin::landmark) {
+      const Landmark* landmark = map_.find(f.id);
+      if (landmark) f.p_world = landmark->p_world;
+      else f.p_world = correction * f.p_world;
+    } else if (const Seed* seed = findSeed(f.keyframe_id, f.id)) {
+      f.p_world = seedPoint(*seed, *map_.findKeyframe(f.keyframe_id));
+    }
+  }
+  record_.T_world_cam = frame_.T_cam_world.inverse();
 }
 
 /// The world is the reference camera of the start, in units of its median depth.
