@@ -79,6 +79,9 @@ PanelContext Inspector::makeContext() {
   if (caches_.run.update(runner_)) {
     state_.viewed_frame = -1;
     state_.selection = {};
+    state_.highlighted.clear();
+    state_.seed.pinned.clear();
+    state_.divergence.brushed = false;
     state_.scene.fitted = false;
   }
   PanelContext c{runner_, graphics_, state_, caches_, runner_.info(), runner_.status(), runner_.latest(),
@@ -97,6 +100,9 @@ void Inspector::draw() {
   for (const Action action : pressedActions()) act(action);
   PanelContext context = makeContext();
   drawWindow(context);
+  // The panel sets these anew in every frame that it is shown; the image may be drawn before it.
+  if (!std::exchange(state_.search_line.fresh, false)) state_.search_line = {};
+  if (!std::exchange(state_.search_hover.fresh, false)) state_.search_hover = {};
   state_.seed.step_request = 0;
   drawHelp(context);
   const ImVec2 display = ImGui::GetIO().DisplaySize;

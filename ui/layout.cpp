@@ -14,8 +14,8 @@ namespace {
 // The presets use the same text as layout.txt.
 const char* presetText(const std::string& name) {
   if (name == "Seeds")
-    return "Seeds|h 0.50 ( v 0.56 ( [Image] [Epipolar search,Plots,Log] ) "
-           "h 0.70 ( [Seed] v 0.55 ( [Selection,Parameters] [3-D,Funnel] ) ) )";
+    return "Seeds|h 0.56 ( v 0.54 ( [Image] h 0.66 ( [Epipolar search,Plots,Log] [Selection,3-D,Parameters] ) ) "
+           "[Seed] )";
   if (name == "KL / JS")
     return "KL / JS|h 0.56 ( [KL / JS] v 0.46 ( [Image,Seed,3-D] [Filter lab,Epipolar search,Selection] ) )";
   if (name == "Evaluation")

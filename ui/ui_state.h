@@ -65,6 +65,7 @@ struct SeedOptions {
   int update = -1;             ///< index into the held updates; -1: the last one at the viewed frame
   int update_frame = -1;       ///< viewed frame that `update` was chosen at; another one frees it
   std::int64_t update_seed = -1;
+  int shown_update = 0, held_updates = 0;  ///< what the panels show: from 1, and of how many
   int step_request = 0;        ///< updates to step by, from a key
   bool whole_range = false;    ///< densities from 0 to the range, else about the belief
   std::vector<std::int64_t> pinned;
@@ -73,6 +74,7 @@ struct SeedOptions {
 
 /// Place on the epipolar line under the mouse in the score profile; drawn in the image.
 struct SearchHover {
+  bool fresh = false;          ///< set in this UI frame
   bool on = false;
   int frame = -1;
   Eigen::Vector2f px = Eigen::Vector2f::Zero();
@@ -80,6 +82,7 @@ struct SearchHover {
 
 /// The epipolar line of the update looked at; drawn in the image of its frame.
 struct SearchLine {
+  bool fresh = false;          ///< set in this UI frame
   int frame = -1;
   Eigen::Vector2f near_px = Eigen::Vector2f::Zero(), far_px = Eigen::Vector2f::Zero();
   Eigen::Vector2f match_px = Eigen::Vector2f::Zero();
@@ -96,7 +99,7 @@ struct DivergenceOptions {
 /// What the filter lab's sliders stand at.
 struct LabSettings {
   float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;            ///< two Gaussians; offset = x - mu
-  float baseline = 0.3f, depth = 2.5f, pixel_noise = 1, focal = 525;  ///< two views: m, m, px, px
+  float baseline = 0.15f, depth = 2.5f, pixel_noise = 4, focal = 525;  ///< two views: m, m, px, px
   float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
 };
 
@@ -111,6 +114,7 @@ struct UiState {
   DivergenceOptions divergence;
   LabSettings lab;
   int lab_section = 0;         ///< divergences, two views, population, all
+  bool lab_wait = false;       ///< hold the window until the population is simulated; for scripts
   std::uint64_t lab_random_seed = 0;
   std::set<std::int64_t> highlighted;  ///< seeds, by a brush
   LinkedX linked_x;       ///< of all plots over frames

@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "engine/eval/lab.h"
+
 namespace svoscope {
 
 namespace {
@@ -194,8 +196,47 @@ void FakeRunner::fillFeatures(Snapshot& s) const {
   n.aligned_sparse = n.matched;
 }
 
+namespace {
+
+// Both rules converge on the truth, JS faster.
+BeliefView fakeBelief(int i, int updates, double truth, bool js) {
+  BeliefView b;
+  const double sigma = 0.25 / (1 + (js ? 0.8 : 0.6) * updates);
+  b.sigma = static_cast<float>(sigma);
+  b.mu = static_cast<float>(truth + 0.6 * sigma * noise(i, js ? 2 : 1));
+  b.a = 10 + static_cast<float>(updates) * (js ? 0.85f : 0.8f);
+  b.b = 10 + static_cast<float>(updates) * 0.15f;
+  return b;
+}
+
+SeedUpdateView fakeUpdate(const SeedView& seed, int i, int frame, double truth) {
+  SeedUpdateView u;
+  u.seed_id = seed.id;
+  u.keyframe_id = seed.keyframe_id;
+  u.frame_index = frame;
+  u.outcome = seed.outcome;
+  u.px = seed.px;
+  u.kl_before = fakeBelief(i, seed.updates - 1, truth, false);
+  u.js_before = fakeBelief(i, seed.updates - 1, truth, true);
+  u.kl_after = seed.kl;
+  u.js_after = seed.js;
+  if (u.outcome != SearchOutcome::matched) return u;
+  u.score = 120;
+  u.x = seed.last_x;
+  u.tau = seed.last_tau;
+  const LabPair pair = comparePair(u.kl_before.mu, u.kl_before.sigma, u.x, u.tau);
+  u.kl_belief_measurement = static_cast<float>(pair.kl_pq);
+  u.kl_measurement_belief = static_cast<float>(pair.kl_qp);
+  u.jsd = static_cast<float>(pair.jsd);
+  u.affinity = static_cast<float>(pair.affinity);
+  return u;
+}
+
+}  // namespace
+
 void FakeRunner::fillSeeds(Snapshot& s) const {
   auto seeds = std::make_shared<std::vector<SeedView>>();
+  auto updates = std::make_shared<std::vector<SeedUpdateView>>();
   const SE3 T = estimate(s.record.index).inverse();
   const auto project = [&](const Vec3& world, Vec2f& px) {
     const Vec3 p = T * world;
@@ -218,12 +259,15 @@ void FakeRunner::fillSeeds(Snapshot& s) const {
     const Vec3 origin = estimate(options_.start).translation();
     const Vec3 ray = room_[k].position - origin;
     const double distance = ray.norm();
-    const double sigma = 0.25 / (1 + 0.6 * v.updates);
-    v.sigma = static_cast<float>(sigma);
-    v.mu = static_cast<float>(1 / distance + 0.6 * sigma * noise(i, 1));
+    v.kl = fakeBelief(i, v.updates, 1 / distance, false);
+    v.js = fakeBelief(i, v.updates, 1 / distance, true);
+    const double sigma = v.kl.sigma;
+    v.sigma = v.kl.sigma;
+    v.mu = v.kl.mu;
     v.range = 1.2f;
-    v.a = 10 + static_cast<float>(v.updates) * 0.8f;
-    v.b = 10 + static_cast<float>(v.updates) * 0.15f;
+    v.a = v.kl.a;
+    v.b = v.kl.b;
+    if (options_.ground_truth) v.true_inv_distance = static_cast<float>(1 / (1.7 * distance));
     v.status = v.updates > 34 ? SeedStatus::converged : SeedStatus::active;
     v.outcome = i % 6 == 0 ? SearchOutcome::no_match : SearchOutcome::matched;
     const auto along = [&](double inverse) { return Vec3(origin + ray.normalized() / std::max(0.05, inverse)); };
@@ -233,11 +277,14 @@ void FakeRunner::fillSeeds(Snapshot& s) const {
     v.visible = project(along(v.mu), v.px);
     project(along(v.mu + sigma), v.px_near);
     project(along(v.mu - sigma), v.px_far);
-    v.last_x = v.mu + 0.01f;
+    v.last_x = static_cast<float>(1 / distance + 0.05 * noise(i, v.updates + 50));
     v.last_tau = 0.05f;
+    v.px_ref = v.px;
     seeds->push_back(v);
+    if (age > 0 && age <= 40) updates->push_back(fakeUpdate(v, i, s.record.index, 1 / distance));
   }
   s.seeds = seeds;
+  s.seed_updates = updates;
 }
 
 void FakeRunner::fillMap(Snapshot& s) const {
@@ -255,7 +302,10 @@ void FakeRunner::fillMap(Snapshot& s) const {
       points->push_back(p);
     }
     for (int f = options_.start, id = 0; f <= s.record.index; f += 9, ++id) {
-      if (stateOf(f) == TrackingState::tracking) keyframes->push_back({id, f, estimate(f), nullptr, true});
+      if (stateOf(f) == TrackingState::tracking) {
+        const SnapshotPtr held = f == s.record.index ? nullptr : at(f);
+        keyframes->push_back({id, f, estimate(f), held ? held->pyramid : s.pyramid});
+      }
     }
   }
   s.record.landmarks = static_cast<int>(points->size());

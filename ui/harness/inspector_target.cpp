@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "ui/harness/inspector_options.h"
+#include "ui/harness/seed_values.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -150,7 +151,9 @@ std::optional<ScriptValue> InspectorTarget::value(const std::string& name) const
   if (name == "layout") return ScriptValue(state_.layout.name);
   if (name == "live") return ScriptValue(state_.viewed_frame < 0 ? 1.0 : 0.0);
   if (name == "image.zoom") return ScriptValue(static_cast<double>(state_.image.view.zoom));
-  return optionValue(state_, name);
+  if (const auto option = optionValue(state_, name)) return option;
+  const SnapshotPtr snapshot = shown();
+  return seedValue(snapshot.get(), state_, name);
 }
 
 }  // namespace svoscope::ui

@@ -38,7 +38,9 @@ ImVec2 drawPatch(PanelContext& c, const Patch& patch, std::uint32_t slot, float 
     list->AddText({(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::faint, "none");
   }
   list->AddRect(lo, hi, ink::line);
-  list->AddText({lo.x, hi.y + grid(0.5f)}, ink::dim, patch.below.c_str());
+  const bool fits = ImGui::CalcTextSize(patch.below.c_str()).x <= side;
+  const std::string below = fits ? patch.below : patch.below.substr(0, patch.below.find(','));
+  list->AddText({lo.x, hi.y + grid(0.5f)}, ink::dim, below.c_str());
   ImGui::Dummy({side, side + 2 * font + grid(1)});
   Probe::record(std::string("patch:") + patch.title, lo, hi);
   return lo;
@@ -81,7 +83,7 @@ void footprint(const std::vector<Vec2f>& corners, const SeedView& seed, ImVec2 l
 
 void patches(PanelContext& c, const SearchDetail& d, const SeedView& seed, const SeedUpdateView& u, float side) {
   const SnapshotPtr searched = c.runner.at(u.frame_index);
-  const Patch reference{"Reference", d.patch_reference, format("keyframe %d, level %d", seed.keyframe_id, seed.level)};
+  const Patch reference{"Reference", d.patch_reference, format("level %d, keyframe %d", seed.level, seed.keyframe_id)};
   const ImVec2 lo = drawPatch(c, reference, 0, side);
   if (searched) {
     footprint(warpedFootprint(seed, u, *searched, c.info.camera, d.search_level), seed, lo, side,
@@ -146,7 +148,7 @@ void hoverProfile(PanelContext& c, Chart& chart, const SearchDetail& d, const Se
     if (std::abs(p.x[i] - chart.mouseX()) < std::abs(p.x[nearest] - chart.mouseX())) nearest = i;
   }
   const SearchSample& s = d.profile[nearest];
-  c.state.search_hover = {true, u.frame_index, s.px};
+  c.state.search_hover = {true, true, u.frame_index, s.px};
   chart.markX(p.x[nearest], {withAlpha(ink::cursor, 0.6f), 1, false});
   chart.point(p.x[nearest], s.score, PointShape::circle, 3.5f, ink::cursor);
   ImGui::BeginTooltip();
@@ -157,14 +159,17 @@ void hoverProfile(PanelContext& c, Chart& chart, const SearchDetail& d, const Se
   ImGui::EndTooltip();
 }
 
+std::string whyNoProfile(const SearchDetail& d) {
+  const bool searched = d.outcome == SearchOutcome::matched || d.outcome == SearchOutcome::no_match;
+  if (!searched) return format("Not searched: %s", searchOutcomeName(d.outcome));
+  const float length = (d.px_near - d.px_far).norm();
+  return format("Not scanned: the line is %.1f px long, alignment alone decides. Step to an earlier update (,) to see "
+                "a score profile", std::isfinite(length) ? length : 0);
+}
+
 void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) {
   const float room = ImGui::GetContentRegionAvail().y, least = ImGui::GetFontSize() * 10;
-  if (d.profile.size() < 2) {
-    note(d.profile.empty() ? format("No samples: %s. A line shorter than a few pixels is not scanned; the match comes "
-                                    "from alignment alone", searchOutcomeName(d.outcome))
-                           : std::string("One sample only: the line is shorter than a step"));
-    return;
-  }
+  if (d.profile.size() < 2) return note(whyNoProfile(d));
   const Profile p = profileOf(d, c.state.seed.profile_in_pixels);
   ChartSpec spec;
   spec.id = "Score profile";
@@ -206,7 +211,7 @@ std::string summary(const SearchDetail& d, const SeedUpdateView& u) {
 }
 
 void shareLine(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) {
-  c.state.search_line = {u.frame_index, d.px_near, d.px_far, d.px_match, d.outcome == SearchOutcome::matched};
+  c.state.search_line = {true, u.frame_index, d.px_near, d.px_far, d.px_match, d.outcome == SearchOutcome::matched};
 }
 
 }  // namespace
@@ -246,7 +251,9 @@ void drawEpipolarPanel(PanelContext& c) {
   note(summary(*d, u));
   const float room = ImGui::GetContentRegionAvail().y, font = ImGui::GetFontSize();
   const float width = (ImGui::GetContentRegionAvail().x - 3 * grid(3)) / 4;
-  const float side = std::floor(std::clamp(std::min(room * 0.36f, width), font * 4, font * 13));
+  const bool profile = d->profile.size() > 1;
+  const float share = profile ? 0.34f : 0.8f, most = profile ? 13.0f : 22.0f;
+  const float side = std::floor(std::clamp(std::min(room * share, width), font * 4, font * most));
   patches(c, *d, *v.trace->last, u, side);
   profileChart(c, *d, u);
 }

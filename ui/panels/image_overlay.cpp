@@ -173,26 +173,6 @@ void drawTrails(const ImageView& view, const std::vector<std::vector<Vec2f>>& tr
   }
 }
 
-void drawSeeds(const ImageView& view, const Snapshot& snapshot, const ImageOptions& options,
-               const Selection& selection) {
-  if (!snapshot.seeds) return;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  for (const SeedView& s : *snapshot.seeds) {
-    if (!s.visible || !s.px.allFinite()) continue;
-    const bool selected = selection.kind == Selection::Kind::seed && selection.id == s.id;
-    if (!options.seeds && !selected) continue;
-    const ImVec2 p = view.toScreen(s.px);
-    if (!view.onScreen(p, dp(200))) continue;
-    const ImU32 color = seedColor(s);
-    if ((options.spans || selected) && s.px_near.allFinite() && s.px_far.allFinite()) {
-      list->AddLine(view.toScreen(s.px_near), view.toScreen(s.px_far),
-                    withAlpha(color, selected ? 1.0f : 0.45f), selected ? dp(2) : dp(1));
-    }
-    list->AddRectFilled({p.x - dp(1.3f), p.y - dp(1.3f)}, {p.x + dp(1.3f), p.y + dp(1.3f)}, color);
-    if (selected) highlight(list, p, dp(3));
-  }
-}
-
 namespace {
 
 void drawFeature(const ImageView& view, const FeatureView& f, const ImageOptions& options,

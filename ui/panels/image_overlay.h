@@ -2,6 +2,7 @@
 // Features, seeds and their histories drawn over an image, and picking among what is drawn.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "engine/snapshot/snapshot.h"
@@ -23,10 +24,21 @@ ImU32 colorOf(const FeatureView& feature, const ColorScale& scale, ColorBy by);
 bool shows(const ImageOptions& options, const FeatureView& feature);
 int hiddenFeatures(const ImageOptions& options, const Snapshot& snapshot);
 
+/// Values of the seeds' colour ramp; by status there is none.
+ColorScale seedScale(SeedColorBy by, int most_updates);
+/// Where the seed stands on its ramp, 0 .. 1; NaN if unknown.
+float seedRamp(const SeedView& seed, SeedColorBy by, int most_updates);
+ImU32 seedColorOf(const SeedView& seed, SeedColorBy by, int most_updates);
+int mostUpdates(const Snapshot& snapshot);
+
+/// The line searched in this frame and the place hovered in its score profile.
+void drawSearch(const ImageView& view, int frame, const SearchLine& line, const SearchHover& hover);
+
 void drawTrails(const ImageView& view, const std::vector<std::vector<Vec2f>>& trails,
                 const Snapshot& snapshot, const ImageOptions& options);
 void drawSeeds(const ImageView& view, const Snapshot& snapshot, const ImageOptions& options,
-               const Selection& selection);
+               const Selection& selection, const std::set<std::int64_t>& highlighted,
+               const std::vector<std::int64_t>& pinned);
 void drawFeatures(const ImageView& view, const Snapshot& snapshot, const ImageOptions& options,
                   const Selection& selection);
 

@@ -35,6 +35,12 @@ void toolbar(PanelContext& c, int levels) {
   if (combo("##color_by", by, colors, ImGui::GetFontSize() * 7.5f, "Colour of the features")) {
     o.color_by = static_cast<ColorBy>(by);
   }
+  static const std::vector<const char*> seed_colors{"Seed status", "Seed σ / R", "Seed ratio", "Seed age", "KL / JS apart"};
+  int seed_by = static_cast<int>(o.seed_color);
+  sameLineIfFits(ImGui::GetFontSize() * 8);
+  if (combo("##seed_color", seed_by, seed_colors, ImGui::GetFontSize() * 8, "Colour of the seeds")) {
+    o.seed_color = static_cast<SeedColorBy>(seed_by);
+  }
   OptionBar bar(shortOfRoom());
   bar.item("Corners", o.corners, "Corner features, squares as large as their level");
   bar.item("Edgelets", o.edgelets, "Edgelets, lines along the edge with a tick along the gradient");
@@ -65,13 +71,15 @@ struct Corner {
   }
 };
 
-void colorBar(const ImageView& view, const ColorScale& scale) {
+// In the lower right corner; `aside`: that far to the left of it, or above it if negative.
+void colorBar(const ImageView& view, const ColorScale& scale, float aside) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float width = grid(40), height = grid(2);
-  const ImVec2 hi{view.hi.x - grid(2), view.hi.y - grid(2) - ImGui::GetTextLineHeight()};
+  const float up = aside < 0 ? 2 * ImGui::GetTextLineHeight() + grid(6) : 0;
+  const ImVec2 hi{view.hi.x - grid(2) - std::max(0.0f, aside), view.hi.y - grid(2) - ImGui::GetTextLineHeight() - up};
   const ImVec2 lo{hi.x - width, hi.y - height};
   list->AddRectFilled({lo.x - grid(2), lo.y - ImGui::GetTextLineHeight() - grid(2)},
-                      {view.hi.x, view.hi.y}, IM_COL32(0, 0, 0, 150), dp(3));
+                      {hi.x + grid(2), hi.y + ImGui::GetTextLineHeight() + grid(2)}, IM_COL32(0, 0, 0, 150), dp(3));
   constexpr int kSteps = 32;
   for (int i = 0; i < kSteps; ++i) {
     const float a = static_cast<float>(i) / kSteps, b = static_cast<float>(i + 1) / kSteps;
@@ -172,13 +180,17 @@ void viewBody(PanelContext& c, const Snapshot& s) {
   drawImage(view, c.graphics.image(kSlot, level, version * 2 + (smooth ? 1 : 0), smooth), width, height);
   pushImageClip(view, width, height);
   if (o.trails) drawTrails(view, c.caches.trails.update(c.runner, s, o.trail_frames), s, o);
-  drawSeeds(view, s, o, c.state.selection);
+  drawSeeds(view, s, o, c.state.selection, c.state.highlighted, c.state.seed.pinned);
   drawFeatures(view, s, o, c.state.selection);
+  drawSearch(view, s.record.index, c.state.search_line, c.state.search_hover);
   ImGui::GetWindowDrawList()->PopClipRect();
   ImGui::GetWindowDrawList()->PushClipRect(view.lo, view.hi, true);
   const ColorScale scale = colorScaleOf(s.features, o.color_by);
-  if (scale.ramp) colorBar(view, scale);
+  if (scale.ramp) colorBar(view, scale, 0);
   else legend(view, s, o);
+  if (o.seeds && o.seed_color != SeedColorBy::status) {
+    colorBar(view, seedScale(o.seed_color, mostUpdates(s)), view.hi.x - view.lo.x > grid(100) ? grid(48) : -1);
+  }
   notes(c, view, s, level, o.level);
   ImGui::GetWindowDrawList()->PopClipRect();
   if (view.clicked) c.state.selection = pick(view, s, o, ImGui::GetIO().MousePos, dp(12));

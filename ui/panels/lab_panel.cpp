@@ -100,7 +100,7 @@ void separation(PanelContext& c, const LabPair& now, ImVec2 size) {
   chart.markX(at, {withAlpha(ink::cursor, 0.8f), 1, false});
   chart.point(at, now.jsd, PointShape::circle, 4, ruleColor(Rule::js));
   chart.point(at, std::min(now.kl_pq, 2.97), now.kl_pq > 3 ? PointShape::triangle : PointShape::diamond, 4, ruleColor(Rule::kl));
-  chart.point(at, std::min(now.kl_qp, 2.97), now.kl_qp > 3 ? PointShape::triangle : PointShape::diamond, 4, okabe::purple);
+  chart.point(at, std::min(now.kl_qp, 2.82), now.kl_qp > 3 ? PointShape::triangle : PointShape::diamond, 4, okabe::purple);
   if (!chart.hovered()) return;
   ImGui::SetTooltip("Drag to move the measurement");
   if (ImGui::IsMouseDown(0)) s.offset = static_cast<float>(std::max(0.0, chart.mouseX()));
@@ -111,7 +111,7 @@ void sketchRay(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float width) {
   list->AddLine(a, {a.x + dx / n * 4000, a.y + dy / n * 4000}, color, width);
 }
 
-// Top view: cameras at the bottom, the point ahead of the first; distances to scale.
+// Top view: cameras at the bottom, the point ahead of the first. Sideways stretched to use the room.
 void sketch(const LabSettings& s, const TwoViews& v, ImVec2 size) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 lo = ImGui::GetCursorScreenPos(), hi{lo.x + size.x, lo.y + size.y};
@@ -119,17 +119,16 @@ void sketch(const LabSettings& s, const TwoViews& v, ImVec2 size) {
   Probe::record("Two views", lo, hi);
   list->AddRectFilled(lo, hi, ink::canvas);
   const double top = std::min(std::isfinite(v.far_m) ? v.far_m * 1.12 : 3.0 * s.depth, 3.0 * s.depth);
-  const double scale = std::min((size.y - grid(9)) / std::max(1e-6, top), (size.x - grid(24)) / std::max(1e-6, 1.5 * s.baseline));
+  const double scale = (size.y - grid(9)) / std::max(1e-6, top);
+  const double stretch = std::clamp((size.x - grid(40)) / (scale * s.baseline), 0.2, 1000.0);
   const auto at = [&](double x, double z) {
-    return ImVec2{lo.x + grid(10) + static_cast<float>(x * scale), hi.y - grid(6) - static_cast<float>(z * scale)};
+    return ImVec2{lo.x + grid(20) + static_cast<float>(x * scale * stretch), hi.y - grid(6) - static_cast<float>(z * scale)};
   };
   list->PushClipRect(lo, hi, true);
   const ImVec2 first = at(0, 0), second = at(s.baseline, 0), point = at(0, s.depth);
   const double far_end = std::isfinite(v.far_m) ? v.far_m : 10 * s.depth;
-  const double half = 0.5 * s.pixel_noise / s.focal;  // the first ray's own pixel, for the width of the region
-  const ImVec2 region[4] = {at(-half * v.near_m, v.near_m), at(half * v.near_m, v.near_m), at(half * far_end, far_end),
-                            at(-half * far_end, far_end)};
-  list->AddConvexPolyFilled(region, 4, withAlpha(okabe::sky, 0.35f));
+  const ImVec2 fan[3] = {second, at(0, v.near_m), at(0, far_end)};
+  list->AddTriangleFilled(fan[0], fan[1], fan[2], withAlpha(okabe::orange, 0.10f));
   sketchRay(list, first, point, ink::dim, dp(1));
   sketchRay(list, second, at(0, v.near_m), withAlpha(okabe::orange, 0.8f), dp(1.2f));
   sketchRay(list, second, point, ink::text, dp(1.2f));
@@ -140,6 +139,11 @@ void sketch(const LabSettings& s, const TwoViews& v, ImVec2 size) {
     list->AddTriangleFilled({camera.x, camera.y + dp(2)}, {camera.x - dp(6), camera.y - dp(9)}, {camera.x + dp(6), camera.y - dp(9)}, okabe::green);
   }
   list->AddCircleFilled(point, dp(4), ink::cursor);
+  const std::string note_text = format("top view, sideways x%.1f; blue: where P may lie", stretch);
+  outlinedText(list, {hi.x - ImGui::CalcTextSize(note_text.c_str()).x - grid(2), lo.y + grid(1)}, ink::dim, note_text.c_str());
+  const std::string near_text = format("%.2f m", v.near_m), far_text = std::isfinite(v.far_m) ? format("%.2f m", v.far_m) : "infinity";
+  outlinedText(list, {point.x - grid(15), at(0, v.near_m).y - ImGui::GetFontSize() / 2}, okabe::sky, near_text.c_str());
+  outlinedText(list, {point.x - grid(15), std::max(lo.y, at(0, far_end).y - ImGui::GetFontSize() / 2)}, okabe::sky, far_text.c_str());
   outlinedText(list, {point.x + grid(2), point.y - ImGui::GetFontSize() / 2}, ink::cursor, "P");
   outlinedText(list, {first.x - grid(5), first.y + grid(1)}, okabe::green, "I_r");
   outlinedText(list, {second.x - grid(1), second.y + grid(1)}, okabe::green, "I_k");
@@ -236,13 +240,13 @@ void drawLabPanel(PanelContext& c) {
     const ImVec2 size{room.x, std::max(font * 18, room.y)};
     section == 0 ? divergenceSection(c, size) : section == 1 ? twoViewSection(c, size) : populationSection(c, size);
   } else {
-    const float third = std::max(font * 18, std::floor(room.y / 3) - grid(5));
+    const float third = std::max(font * 18, std::floor(room.y / 3) - grid(5)), most = std::max(font * 26, third);
     heading("Divergences (paper, Figure 3)");
     divergenceSection(c, {room.x, third});
     heading("Two views (paper, Figure 2)");
     twoViewSection(c, {room.x, third});
     heading("Simulated population");
-    populationSection(c, {room.x, third});
+    populationSection(c, {room.x, most});
   }
   ImGui::PopStyleVar(2);
 }

@@ -186,6 +186,7 @@ void populationSection(PanelContext& c, ImVec2 size) {
     c.caches.lab_key = key;
     c.caches.lab.start(options);
   }
+  if (c.state.lab_wait) c.caches.lab.wait();
   const LabWorker::State now = c.caches.lab.state();
   progressRow(c, now);
   if (now.result) {

@@ -34,6 +34,12 @@ void LabWorker::cancel() {
   const std::lock_guard<std::mutex> lock(mutex_);
   stage_ = kStages;
   ++order_;
+  idle_.notify_all();
+}
+
+void LabWorker::wait() const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  idle_.wait(lock, [this] { return stage_ == kStages; });
 }
 
 LabWorker::State LabWorker::state() const {
@@ -67,7 +73,7 @@ void LabWorker::loop() {
     if (order != order_) continue;  // something else is wanted by now
     result_ = std::move(result);
     ++generation_;
-    ++stage_;
+    if (++stage_ == kStages) idle_.notify_all();
   }
 }
 

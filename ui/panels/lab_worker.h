@@ -27,6 +27,9 @@ class LabWorker {
   /// Keeps what is there.
   void cancel();
 
+  /// Until nothing is left to simulate; for scripts, which have no time to look at.
+  void wait() const;
+
   struct State {
     bool running = false;
     double progress = 1;                       ///< 0 .. 1, of the seeds to be simulated
@@ -41,6 +44,7 @@ class LabWorker {
   Run run_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
+  mutable std::condition_variable idle_;
   bool stop_ = false;
   LabOptions wanted_;
   int order_ = 0;            ///< counts calls of start()

@@ -107,6 +107,36 @@ void circleAt(const SceneCamera& camera, const Vec3& p, ImU32 color) {
   ImGui::GetWindowDrawList()->AddCircle(*at, dp(7), color, 20, dp(2));
 }
 
+// The density along the ray: pieces as strong as the Gaussian of the inverse distance there.
+void drawBeliefRay(PanelContext& c, const SceneCamera& camera, const SeedView& seed, ImU32 color) {
+  constexpr int kPieces = 8;
+  const KeyframeView* keyframe = nullptr;
+  if (c.snapshot->keyframes) {
+    for (const KeyframeView& k : *c.snapshot->keyframes) {
+      if (k.id == seed.keyframe_id) keyframe = &k;
+    }
+  }
+  if (!keyframe || !(seed.sigma > 0) || !(seed.mu > 0) || !std::isfinite(seed.mu + seed.sigma)) return;
+  const Vec3 origin = keyframe->T_world_cam.translation();
+  const Vec3 ray = seed.position.cast<double>() - origin;
+  if (!ray.allFinite() || ray.norm() < 1e-9) return;
+  // Beyond four times its distance a ray says no more than "far".
+  const auto at = [&](double sigmas) {
+    const double z = std::max(seed.mu + sigmas * seed.sigma, 0.25 * seed.mu);
+    return camera.project(origin + ray.normalized() / z);
+  };
+  if (const auto from = camera.project(origin), to = at(2); from && to) {
+    ImGui::GetWindowDrawList()->AddLine(*from, *to, withAlpha(color, 0.15f), dp(1));
+  }
+  for (int i = 0; i < kPieces; ++i) {
+    const double lo = -2 + 4.0 * i / kPieces, hi = lo + 4.0 / kPieces, middle = (lo + hi) / 2;
+    const auto a = at(lo), b = at(hi);
+    if (!a || !b) continue;
+    const auto strength = static_cast<float>(std::exp(-0.5 * middle * middle));
+    ImGui::GetWindowDrawList()->AddLine(*a, *b, withAlpha(color, 0.15f + 0.85f * strength), dp(1 + 3.5f * strength));
+  }
+}
+
 void drawSelected(PanelContext& c, const SceneCamera& camera) {
   const Selection& s = c.state.selection;
   if (s.kind == Selection::Kind::landmark) {
@@ -116,10 +146,21 @@ void drawSelected(PanelContext& c, const SceneCamera& camera) {
   } else if (s.kind == Selection::Kind::seed) {
     const SeedView* seed = findSeed(*c.snapshot, s.id);
     if (!seed) return;
-    const auto a = camera.project(seed->position_near.cast<double>());
-    const auto b = camera.project(seed->position_far.cast<double>());
-    if (a && b) ImGui::GetWindowDrawList()->AddLine(*a, *b, ink::selected, dp(2));
+    drawBeliefRay(c, camera, *seed, ink::selected);
     circleAt(camera, seed->position.cast<double>(), seedColor(*seed));
+  }
+}
+
+void drawMarkedSeeds(PanelContext& c, const SceneCamera& camera) {
+  if (!c.snapshot->seeds || (c.state.highlighted.empty() && c.state.seed.pinned.empty())) return;
+  for (const SeedView& seed : *c.snapshot->seeds) {
+    if (isPinned(c, seed.id)) {
+      drawBeliefRay(c, camera, seed, ink::prior);
+      circleAt(camera, seed.position.cast<double>(), ink::prior);
+    } else if (c.state.highlighted.count(seed.id)) {
+      const auto at = camera.project(seed.position.cast<double>());
+      if (at) ImGui::GetWindowDrawList()->AddRect({at->x - dp(4), at->y - dp(4)}, {at->x + dp(4), at->y + dp(4)}, ink::highlight, 0, 0, dp(1.5f));
+    }
   }
 }
 
@@ -213,6 +254,7 @@ void drawScenePanel(PanelContext& c) {
       c.graphics.scene(kSlot, scene, static_cast<int>(room.x), static_cast<int>(room.y));
   ImGui::GetWindowDrawList()->PushClipRect(lo, hi, true);
   ImGui::GetWindowDrawList()->AddImage(texture, lo, hi);
+  drawMarkedSeeds(c, camera);
   drawSelected(c, camera);
   gizmo(camera);
   labels(c, camera);

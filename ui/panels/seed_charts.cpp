@@ -66,7 +66,7 @@ Scene sceneOf(PanelContext& c, const ViewedUpdate& v, double truth) {
   // 1 / z runs to infinity at z = 0: end where it stops to say anything.
   const double near_end = 1 / std::max(s.z.hi, 1e-9);
   const double far_end = s.z.lo > 0 ? 1 / s.z.lo : INFINITY;
-  s.shown = {std::max(0.25 * near_end, 1e-6), std::min(far_end, near_end * 30)};
+  s.shown = {near_end, std::min(far_end, near_end * 30)};
   if (s.shown.hi <= s.shown.lo) s.shown.hi = s.shown.lo * 2;
   return s;
 }
@@ -94,7 +94,7 @@ void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gat
   spec.y_ticks = false;
   spec.size = size;
   spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed}, {"JS", ruleColor(Rule::js), Swatch::line},
-                 {"before", ink::dim, Swatch::line}};
+                 {"faint: before", ink::faint, Swatch::line}};
   Curve measurement, prior, now[2], then[2];
   float top = 0;
   if (v.update) {

@@ -21,8 +21,10 @@ ChartSpec historySpec(const char* id, const char* title, const TraceColumns& t, 
   ChartSpec spec;
   spec.id = id;
   spec.title = title;
-  spec.x_label = "Update";
-  spec.x = {0.5, std::max(2.0, static_cast<double>(t.step.size())) + 0.5};
+  // Most happens in the first few updates: a long history is spread by decades.
+  spec.log_x = t.step.size() > 40;
+  spec.x_label = spec.log_x ? "Update (log)" : "Update";
+  spec.x = {spec.log_x ? 0.9 : 0.5, std::max(2.0, static_cast<double>(t.step.size())) * (spec.log_x ? 1.05 : 1) + 0.5};
   spec.size = size;
   spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed}, {"JS", ruleColor(Rule::js), Swatch::line}};
   return spec;

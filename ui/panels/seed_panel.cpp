@@ -121,23 +121,20 @@ std::string truthText(const BeliefView& b, double truth) {
 }
 
 void measurementLine(const SeedUpdateView& u, const SeedView* seed, double truth) {
-  std::string text;
-  if (u.tau > 0) {
-    text = format("Measured x %.4f ± %.4f 1/map unit   KL(p||q) %.3g, KL(q||p) %.3g, JS %.4f nats   affinity w %.3f",
-                  u.x, u.tau, u.kl_belief_measurement, u.kl_measurement_belief, u.jsd, u.affinity);
-  } else {
-    text = format("No measurement: %s", searchOutcomeName(u.outcome));
-  }
-  if (truth > 0) text += format("   true distance %.3f map units", 1 / truth);
-  else if (seed && seed->true_inv_distance > 0) text += format("   true distance %.3f m, no scale yet", 1 / seed->true_inv_distance);
+  std::string text = u.tau > 0 ? format("Measured x %.4f ± %.4f 1/map unit", u.x, u.tau)
+                               : format("No measurement: %s", searchOutcomeName(u.outcome));
+  if (truth > 0) text += format(", true distance %.3f map units", 1 / truth);
+  else if (seed && seed->true_inv_distance > 0) text += format(", true distance %.3f m, no scale yet", 1 / seed->true_inv_distance);
   note(text);
+  if (!(u.tau > 0)) return;
+  note(format("Belief p, measurement q: KL(p||q) %.3g, KL(q||p) %.3g, JS %.4f nats, w %.3f", u.kl_belief_measurement,
+              u.kl_measurement_belief, u.jsd, u.affinity));
 }
 
 void charts(PanelContext& c, const ViewedUpdate& v) {
   const FilterGates gates = filterGates(c);
   const float font = ImGui::GetFontSize();
   const TraceColumns columns = traceColumns(*v.trace);
-  const float start = ImGui::GetCursorPosY();
   const bool wide = ImGui::GetContentRegionAvail().x > font * 52;
   const float room = ImGui::GetContentRegionAvail().y;
   const int rows = wide ? 3 : 5;
@@ -154,7 +151,6 @@ void charts(PanelContext& c, const ViewedUpdate& v) {
   pair();
   ratioDensityChart(v, gates, {wide ? std::floor((full - 2 * gap) * 0.32f) : half, height});
   if (!c.state.seed.pinned.empty()) pinnedRows(c, gates);
-  (void)start;
 }
 
 }  // namespace
@@ -164,7 +160,9 @@ std::vector<SeedFact> seedFacts(const SeedUpdateView& u, double truth) {
     return SeedFact{name, change(u.kl_before, u.kl_after, pattern, field), change(u.js_before, u.js_after, pattern, field)};
   };
   const auto ratio = [](const BeliefView& before, const BeliefView& after) {
-    return drawable(after) ? format("%.3f → %.3f", inlierRatio(before), inlierRatio(after)) : std::string("not computed");
+    if (!drawable(after)) return std::string("not computed");
+    const double then = inlierRatio(before), now = inlierRatio(after);
+    return std::isfinite(now) && std::isfinite(then) ? format("%.3f → %.3f", then, now) : std::string("–");
   };
   std::vector<SeedFact> facts{both("μ, 1/map unit", "%.5f", &BeliefView::mu), both("σ, 1/map unit", "%.5f", &BeliefView::sigma),
                               both("a", "%.2f", &BeliefView::a), both("b", "%.2f", &BeliefView::b),

@@ -69,6 +69,8 @@ ViewedUpdate viewedUpdate(PanelContext& c) {
     v.index = std::clamp(v.index + std::exchange(o.step_request, 0), 0, count - 1);
     viewUpdate(c, *v.trace, v.index);
   }
+  o.shown_update = v.index + 1;
+  o.held_updates = count;
   if (v.index >= 0) v.update = &v.trace->updates[static_cast<std::size_t>(v.index)];
   return v;
 }

@@ -18,7 +18,7 @@ constexpr float kFar = 1e5f;  // pixels beyond this only lose precision
 ImVec2 bounded(ImVec2 p) { return {std::clamp(p.x, -kFar, kFar), std::clamp(p.y, -kFar, kFar)}; }
 
 std::string tickText(double t, double step, bool log) {
-  if (log && t > 0 && (t < 1e-2 || t >= 1e4)) return format("%.0e", t);
+  if (log && t > 0 && (t < 0.9e-3 || t > 1.1e3)) return format("%.0fe%.0f", t / std::pow(10, std::floor(std::log10(t) + 1e-6)), std::floor(std::log10(t) + 1e-6));
   if (!log && t != 0 && std::abs(step) < 1e-3) return format("%.1e", t);
   return tickLabel(t, log ? t : step);
 }
@@ -206,7 +206,7 @@ void Chart::markX(double value, const LineStyle& s, const std::string& label, in
   if (label.empty()) return;
   const float w = ImGui::CalcTextSize(label.c_str()).x;
   const float tx = x + grid(1) + w > hi_.x ? x - w - grid(1) : x + grid(1);
-  outlinedText(list_, {tx, lo_.y + grid(0.5f) + static_cast<float>(row) * ImGui::GetFontSize()}, s.color, label.c_str());
+  outlinedText(list_, {tx, lo_.y + grid(0.5f) + static_cast<float>(row) * ImGui::GetFontSize()}, ink::text, label.c_str());
 }
 
 void Chart::markY(double value, const LineStyle& s, const std::string& label) {

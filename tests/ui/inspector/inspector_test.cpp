@@ -149,6 +149,8 @@ TEST_F(InspectorTest, ShortcutsDriveTheMainLoop) {
   press(Key::space);
   EXPECT_EQ(runner_->sent().back().kind, Kind::pause) << "it was running to a keyframe";
   press(keyOf('3'));
+  EXPECT_EQ(state().layout.name, "KL / JS");
+  press(keyOf('4'));
   EXPECT_EQ(state().layout.name, "Evaluation");
   press(Key::slash, true);
   EXPECT_TRUE(state().show_help);
