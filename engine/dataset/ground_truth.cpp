@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/dataset/text_rows.h"
+#include "engine/base/text_rows.h"
 
 namespace svoscope {
 namespace {

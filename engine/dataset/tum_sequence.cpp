@@ -6,7 +6,7 @@
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
 #include "engine/dataset/loaders.h"
-#include "engine/dataset/text_rows.h"
+#include "engine/base/text_rows.h"
 
 namespace svoscope {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <optional>
 
-#include "engine/dataset/text_rows.h"
+#include "engine/base/text_rows.h"
 
 namespace svoscope {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/base/result.h"
-#include "engine/eval/depth_study.h"
+#include "engine/study/depth_study.h"
 
 namespace svoscope {
 

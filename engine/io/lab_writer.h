@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/base/result.h"
-#include "engine/eval/lab.h"
+#include "engine/study/lab.h"
 
 namespace svoscope {
 

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "engine/eval/lab.h"
+#include "engine/study/lab.h"
 
 namespace svoscope {
 

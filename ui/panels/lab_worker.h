@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "engine/eval/lab.h"
+#include "engine/study/lab.h"
 
 namespace svoscope::ui {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/eval/lab.h"
+#include "engine/study/lab.h"
 #include "ui/palette.h"
 #include "ui/panels/image_overlay.h"
 #include "ui/panels/seed_trace.h"

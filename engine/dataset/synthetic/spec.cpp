@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/dataset/text_rows.h"
+#include "engine/base/text_rows.h"
 
 namespace svoscope {
 namespace {

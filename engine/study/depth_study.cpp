@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "engine/eval/depth_study.h"
+#include "engine/study/depth_study.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/eval/depth_study_judge.h"
+#include "engine/study/depth_study_judge.h"
 #include "engine/frame/rectifier.h"
 
 namespace svoscope {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/eval/gate_sweep.h"
+#include "engine/study/gate_sweep.h"
 
 namespace svoscope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/dataset/text_rows.h"
+#include "engine/base/text_rows.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/eval/gate_sweep.h"
+#include "engine/study/gate_sweep.h"
 
 #include <algorithm>
 #include <cmath>

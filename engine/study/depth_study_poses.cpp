@@ -2,7 +2,7 @@
 // Camera poses in metres for the depth study.
 #include <algorithm>
 
-#include "engine/eval/depth_study.h"
+#include "engine/study/depth_study.h"
 #include "engine/eval/evaluate.h"
 
 namespace svoscope {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/eval/depth_study.h"
+#include "engine/study/depth_study.h"
 
 namespace svoscope {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/eval/depth_study.h"
+#include "engine/study/depth_study.h"
 
 #include <gtest/gtest.h>
 

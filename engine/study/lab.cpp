@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/eval/lab.h"
+#include "engine/study/lab.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/dataset/sequence.h"
-#include "engine/eval/gate_sweep.h"
+#include "engine/study/gate_sweep.h"
 #include "engine/mapping/seed_update.h"
 
 namespace svoscope {

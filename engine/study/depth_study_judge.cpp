@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/eval/depth_study_judge.h"
+#include "engine/study/depth_study_judge.h"
 
 #include <algorithm>
 #include <cmath>
