@@ -304,7 +304,7 @@ void FakeRunner::fillMap(Snapshot& s) const {
     for (int f = options_.start, id = 0; f <= s.record.index; f += 9, ++id) {
       if (stateOf(f) == TrackingState::tracking) {
         const SnapshotPtr held = f == s.record.index ? nullptr : at(f);
-        keyframes->push_back({id, f, estimate(f), held ? held->pyramid : s.pyramid});
+        keyframes->push_back({id, f, estimate(f), held ? held->pyramid : s.pyramid, true});
       }
     }
   }
