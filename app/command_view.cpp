@@ -18,6 +18,7 @@ struct Arguments {
   bool headless = false, paused = false, sync = false;
   std::string out;
   double scale = 1;
+  int close_after = 0;
 };
 
 /// In a window the sequence plays at its own rate; rendered to files it is stepped by the tour.
@@ -29,6 +30,7 @@ int runView(const Arguments& a) {
   ui::InspectorOptions inspector;
   inspector.scale = static_cast<float>(a.scale);
   inspector.out = a.out.empty() ? "." : a.out;
+  inspector.exit_after_frames = a.headless ? 0 : a.close_after;
   if (a.headless) {
     inspector.surface = ui::SurfaceKind::osmesa;
     inspector.out = a.out.empty() ? "svoscope-screens" : a.out;
@@ -60,6 +62,8 @@ void addViewCommand(CLI::App& app, Action& action) {
   command->add_flag("--headless", a->headless, "No window: render the main screens to PNG files");
   command->add_option("--out", a->out, "Folder of screenshots [., headless: svoscope-screens]")->type_name("DIR");
   command->add_flag("--paused", a->paused, "Show the first frame and wait");
+  command->add_option("--close-after", a->close_after, "Close the window after so many drawn frames")
+      ->check(CLI::Range(1, 1000000000));
   command->add_flag("--sync", a->sync, "Engine without threads: the same result every time");
   command->add_option("--scale", a->scale, "Scale of text and widgets")->check(CLI::Range(0.5, 4.0))->capture_default_str();
   command->callback([a, &action] { action = [a] { return runView(*a); }; });

@@ -6,8 +6,8 @@
 
 namespace svoscope {
 
-/// While it lives, Ctrl-C sets a flag so that a command can end in order; pressed again it ends the
-/// program at once. One at a time.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM set a flag so that a command can end in order; pressed
+/// again a while later they end the program at once. One at a time.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -18,7 +18,7 @@ class InterruptGuard {
   const std::atomic<bool>& flag() const;
 
  private:
-  struct sigaction before_ = {};
+  struct sigaction before_interrupt_ = {}, before_terminate_ = {};
 };
 
 }  // namespace svoscope

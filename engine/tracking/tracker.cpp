@@ -139,7 +139,8 @@ void Tracker::trackFrame() {
     if (accept(other, p.quality.min_inliers)) {
       best = std::move(other);
     } else {
-      lose(best.failure);
+      // The record holds the numbers of the attempt judged last: so does the reason.
+      lose(other.failure);
       return;
     }
   }
