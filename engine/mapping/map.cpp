@@ -35,10 +35,19 @@ void Map::removeLandmark(std::int64_t id) {
   landmarks.erase(id);
 }
 
+void Map::removeSegment(std::int64_t id) {
+  const auto it = segments.find(id);
+  if (it == segments.end()) return;
+  for (const SegmentView& view : it->second.views) {
+    if (Keyframe* k = findKeyframe(view.keyframe_id)) eraseValue(k->segments, id);
+  }
+  segments.erase(it);
+}
+
 void Map::removeKeyframe(int id) {
   Keyframe* keyframe = findKeyframe(id);
   if (!keyframe) return;
-  const std::vector<std::int64_t> seen = keyframe->landmarks;
+  const std::vector<std::int64_t> seen = keyframe->landmarks, seen_segments = keyframe->segments;
   keyframes.erase(id);
   for (const std::int64_t landmark_id : seen) {
     Landmark* landmark = find(landmark_id);
@@ -49,12 +58,24 @@ void Map::removeKeyframe(int id) {
                        observations.end());
     if (observations.size() < 2) removeLandmark(landmark_id);
   }
+  for (const std::int64_t segment_id : seen_segments) {
+    auto& segment = segments.at(segment_id);
+    // The prior belongs to the first view and goes with it.
+    if (segment.views.front().keyframe_id == id) segment.prior_sigma[0] = segment.prior_sigma[1] = 0;
+    segment.views.erase(std::remove_if(segment.views.begin(), segment.views.end(),
+                                       [id](const SegmentView& v) { return v.keyframe_id == id; }),
+                        segment.views.end());
+    if (segment.views.size() < 2) removeSegment(segment_id);
+  }
 }
 
 int Map::seedCount() const {
   int count = 0;
   for (const auto& [id, keyframe] : keyframes) {
     for (const Seed& seed : keyframe.seeds) {
+      count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
+    }
+    for (const SegmentSeed& seed : keyframe.segment_seeds) {
       count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
     }
   }

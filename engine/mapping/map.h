@@ -13,6 +13,7 @@
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/mapping/depth_filter.h"
+#include "engine/mapping/segment_seed.h"
 #include "engine/snapshot/snapshot.h"
 
 namespace svoscope {
@@ -63,6 +64,8 @@ struct Keyframe {
   double median_depth = 1, min_depth = 0.5;   ///< z of its features, map units
   std::vector<std::int64_t> landmarks;        ///< seen in it
   std::vector<Seed> seeds;
+  std::vector<std::int64_t> segments;         ///< segment landmarks seen in it
+  std::vector<SegmentSeed> segment_seeds;     ///< in order of id
   cv::Mat thumbnail;                          ///< small blurred float image, zero mean
 };
 
@@ -70,7 +73,8 @@ struct Map {
   Pinhole camera;
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
-  std::int64_t next_id = 0;                   ///< of landmarks and seeds
+  std::map<std::int64_t, SegmentLandmark> segments;
+  std::int64_t next_id = 0;                   ///< of landmarks, segments and seeds of both
   int next_keyframe_id = 0;
 
   Landmark* find(std::int64_t id) {
@@ -86,6 +90,7 @@ struct Map {
   Landmark& addLandmark(const Vec3& p_world, FeatureType type);
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);
   void removeLandmark(std::int64_t id);
+  void removeSegment(std::int64_t id);
   /// Removes the keyframe, its seeds and its observations; landmarks left with fewer than two
   /// observations go too.
   void removeKeyframe(int id);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/stopwatch.h"
+#include "engine/mapping/segment_seed_update.h"
 
 namespace svoscope {
 
@@ -110,6 +111,7 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& p) {
       result.new_seeds.push_back(std::move(fresh));
     }
   }
+  result.segments = runSegmentJob(job, p);
   result.time_ms = watch.ms();
   return result;
 }

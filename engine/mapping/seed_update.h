@@ -51,6 +51,7 @@ struct MappingJob {
   std::vector<JobKeyframe> keyframes;
   std::vector<JobSeed> seeds;
   NewSeedRequest new_seeds;
+  SegmentJob segments;
   /// Older views that new seeds are measured against at once.
   std::vector<JobKeyframe> older_views;
 };
@@ -73,6 +74,7 @@ struct MappingResult {
   int keyframe_id = -1;      ///< of the new seeds
   std::vector<SeedMeasurement> measurements;
   std::vector<NewSeed> new_seeds;
+  SegmentJobResult segments;
   double median_depth = 1, min_depth = 0.5;
   double time_ms = 0;
 };
@@ -82,6 +84,7 @@ struct MappingParameters {
   EpipolarParameters search;
   FeatureAlignmentParameters alignment;
   DepthFilterParameters filter;
+  SegmentParameters segments;
 };
 
 /// Runs a job. Pure: reads only the job.

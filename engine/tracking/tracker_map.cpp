@@ -58,6 +58,7 @@ void Tracker::dropEndedSeeds() {
                 seeds.end());
     for (Seed& seed : seeds) seed.outcome = SearchOutcome::none;
   }
+  dropEndedSegmentSeeds();
 }
 
 /// Measurements made by the tracker enter the filter with the final pose.
@@ -159,7 +160,9 @@ void Tracker::insertKeyframe(const std::string& reason) {
   for (TrackedFeature& f : frame_.features) {
     if (f.status == FeatureStatus::inlier) promoteFeature(f, keyframe);
   }
+  promoteSegments(keyframe);
   refineStructure();
+  refineSegments();
   last_keyframe_frame_ = frame_.index;
   latest_keyframe_ = id;
   record_.is_keyframe = true;
@@ -187,6 +190,7 @@ void Tracker::limitKeyframes() {
       if (f.origin == FeatureOrigin::landmark ? !map_.find(f.id) : f.keyframe_id == farthest)
         f.status = FeatureStatus::outlier;
     }
+    disownSegments(farthest);
     local_keyframes_.erase(std::remove(local_keyframes_.begin(), local_keyframes_.end(), farthest), local_keyframes_.end());
   }
 }
@@ -212,6 +216,7 @@ void Tracker::requestMeasurements() {
   job_->pyramid = frame_.pyramid;
   job_->T_cam_world = frame_.T_cam_world;
   job_->camera = map_.camera;
+  requestSegmentMeasurements();
   for (const int id : local_keyframes_) {
     const Keyframe* keyframe = map_.findKeyframe(id);
     if (!keyframe || keyframe->frame_index == frame_.index) continue;
@@ -257,6 +262,7 @@ void Tracker::applyMapping(const MappingResult& result) {
     }
     keyframe->seeds.push_back(seed);
   }
+  applySegmentMapping(result);
   record_.seeds = map_.seedCount();
 }
 
