@@ -26,7 +26,7 @@ struct SegmentParameters {
   int search_samples = 5;            ///< epipolar searches per seed and frame
   double min_edge_cosine = 0.4;      ///< between segment normal and epipolar line; below: no depth
   int max_job_seeds = 100;           ///< measured per frame
-  double promote_sigma = 0.08;       ///< a tracked seed becomes a landmark at this relative sigma
+  double promote_sigma = 0.05;       ///< a tracked seed becomes a landmark at this relative sigma
   // Tracking
   int max_tracked = 40;              ///< per frame
   int max_tries = 70;                ///< alignments of segments per frame
@@ -35,6 +35,7 @@ struct SegmentParameters {
   int max_patches = 60;              ///< of all segments, for sparse image alignment
   // Pose
   double line_noise_px = 0.5;        ///< across the line, at an end of the measured piece
+  double max_depth_px = 0.5;           ///< a depth that leaves more doubt across the line does not enter the pose
   double pose_sigma = 2;             ///< noise of a segment relative to a corner
   double min_scale = 0.3;            ///< floor of the robust scale, relative to line_noise_px
   double max_error_px = 2;           ///< an end point farther from its line makes an outlier

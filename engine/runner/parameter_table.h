@@ -112,6 +112,7 @@ void visitSegments(P& p, F&& f) {
   f(ParameterInfo{"segments.patches_per_segment", "", "for sparse alignment", 0, 20}, s.patches_per_segment);
   f(ParameterInfo{"segments.max_patches", "", "of all segments, for sparse alignment", 0, 1000}, s.max_patches);
   f(ParameterInfo{"segments.line_noise_px", "px", "across the line at its ends", 0.05, 10}, s.line_noise_px);
+  f(ParameterInfo{"segments.max_depth_px", "px", "a depth with more doubt across the line does not enter the pose", 0, 50}, s.max_depth_px);
   f(ParameterInfo{"segments.pose_sigma", "", "noise of a segment relative to a corner in the pose", 0.1, 50}, s.pose_sigma);
   f(ParameterInfo{"segments.min_scale", "", "floor of the robust scale over line_noise_px", 0.01, 10}, s.min_scale);
   f(ParameterInfo{"segments.max_error_px", "px", "distance of an end point from its line, inlier", 0.1, 50}, s.max_error_px);

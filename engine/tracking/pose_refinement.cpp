@@ -110,8 +110,10 @@ void classifySegments(const Pinhole& camera, const std::vector<SegmentPoseObserv
     segmentResiduals(camera, o, result.T_cam_world, e);
     const double worst = std::max(std::abs(e[0]), std::abs(e[1]));
     result.segment_error_px.push_back(std::sqrt(0.5 * (e[0] * e[0] + e[1] * e[1])));
-    result.segment_inlier.push_back(worst <= p.max_error_px * std::max(1.0, std::min(o.sigma[0], o.sigma[1])));
-    result.segment_inliers += result.segment_inlier.back();
+    const double sigma = std::max(o.sigma[0], o.sigma[1]);
+    const bool fits = worst <= (o.informs ? p.max_error_px : 3 * p.line_noise_px) * std::max(1.0, sigma);
+    result.segment_inlier.push_back(fits);
+    result.segment_inliers += fits && o.informs;
   }
 }
 

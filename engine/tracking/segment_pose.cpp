@@ -25,7 +25,7 @@ double segmentScale(const Pinhole& camera, const std::vector<SegmentPoseObservat
   std::vector<double> errors;
   double e[2];
   for (const SegmentPoseObservation& o : observations) {
-    if (!segmentResiduals(camera, o, T, e)) continue;
+    if (!o.informs || !segmentResiduals(camera, o, T, e)) continue;
     for (int i = 0; i < 2; ++i) errors.push_back(std::abs(e[i]) / o.sigma[i]);
   }
   if (errors.empty()) return min_scale;
@@ -38,7 +38,7 @@ void addSegmentTerms(const Pinhole& camera, const std::vector<SegmentPoseObserva
                      double scale, double pose_sigma, Mat6& H, Vec6& b) {
   double e[2];
   for (const SegmentPoseObservation& o : observations) {
-    if (!segmentResiduals(camera, o, T, e)) continue;
+    if (!o.informs || !segmentResiduals(camera, o, T, e)) continue;
     for (int i = 0; i < 2; ++i) {
       const double s = scale * o.sigma[i], u = e[i] / (kTukey * s);
       if (std::abs(u) >= 1) continue;

@@ -15,12 +15,13 @@ struct SegmentPoseObservation {
   Vec3 p_world[2] = {Vec3::Zero(), Vec3::Zero()};  ///< ends of the visible part
   ImageLine line;                                  ///< measured
   double sigma[2] = {1, 1};   ///< of the distances relative to line_noise_px: line and depth
+  bool informs = true;        ///< false: followed for its depth only, not used for the pose
 };
 
 /// Signed distances, px; false if an end is behind the camera.
 bool segmentResiduals(const Pinhole& camera, const SegmentPoseObservation& o, const SE3& T_cam_world, double (&e)[2]);
 
-/// 1.48 x median of |distance| / sigma, at least `min_scale`.
+/// 1.48 x median of |distance| / sigma of those that inform, at least `min_scale`.
 double segmentScale(const Pinhole& camera, const std::vector<SegmentPoseObservation>& observations,
                     const SE3& T_cam_world, double min_scale);
 

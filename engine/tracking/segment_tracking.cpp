@@ -198,7 +198,10 @@ std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera, c
     for (int i = 0; i < 2; ++i) {
       o.p_world[i] = s.pointAt(s.t[i]);
       const double line_sigma = p.line_noise_px * (1 << s.anchor.level);
-      o.sigma[i] = std::hypot(line_sigma, depthSigma(camera, s, s.t[i], T_cam_world, o.line.normal)) / p.line_noise_px;
+      const double depth_px = depthSigma(camera, s, s.t[i], T_cam_world, o.line.normal);
+      o.sigma[i] = std::hypot(line_sigma, depth_px) / p.line_noise_px;
+      // The error of a depth is the same in every frame: weighing it down does not average it out.
+      if (depth_px > p.max_depth_px) o.informs = false;
     }
     observations.push_back(o);
   }

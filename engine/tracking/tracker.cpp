@@ -168,8 +168,10 @@ Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from) {
     if (a.pose.ok && a.pose.inliers >= parameters_.quality.min_inliers) frame_.T_cam_world = a.pose.T_cam_world;
     a.segments = trackSegments(map_, frame_, a.reprojected.local_keyframes, parameters_.mapping);
     stageMs(record_, Stage::reproject) += watch.lapMs();
-    const auto lines = segmentObservations(map_.camera, a.segments.segments, frame_.T_cam_world, parameters_.mapping.segments);
-    a.pose = refinePose(map_.camera, observations, frame_.T_cam_world, parameters_.pose, lines, parameters_.mapping.segments);
+    if (!a.segments.segments.empty()) {
+      const auto lines = segmentObservations(map_.camera, a.segments.segments, frame_.T_cam_world, parameters_.mapping.segments);
+      a.pose = refinePose(map_.camera, observations, frame_.T_cam_world, parameters_.pose, lines, parameters_.mapping.segments);
+    }
     stageMs(record_, Stage::pose) += watch.lapMs();
   }
   a.T_cam_world = a.pose.T_cam_world;
