@@ -80,6 +80,7 @@ int runCommandLine(std::vector<std::string> arguments) {
   addShotCommand(app, action);
   addEvalCommand(app, action);
   addSynthCommand(app, action);
+  addLabCommand(app, action);
 
   static const std::vector<std::string> kOwnOptions = {"-h", "--help", "--version"};
   if (arguments.empty()) {

@@ -17,7 +17,9 @@ const std::vector<Shortcut>& shortcuts() {
       {"F", "Follow the camera in 3-D", keyOf('F'), false, Action::follow},
       {"+", "Zoom the image in", Key::equal, false, Action::zoom_in},
       {"-", "Zoom the image out", Key::minus, false, Action::zoom_out},
-      {"1 … 4", "Layouts", keyOf('1'), false, Action::layout_1},
+      {",", "Update before, of the selected seed", Key::comma, false, Action::previous_update},
+      {".", "Next update of the selected seed", Key::period, false, Action::next_update},
+      {"1 … 5", "Layouts", keyOf('1'), false, Action::layout_1},
       {"P", "Screenshot", keyOf('P'), false, Action::screenshot},
       {"?", "This help", Key::slash, true, Action::help},
       {"Esc", "Select nothing, close help", Key::escape, false, Action::clear},
@@ -29,7 +31,7 @@ namespace {
 
 bool repeats(Action action) {
   return action == Action::step || action == Action::back || action == Action::zoom_in ||
-         action == Action::zoom_out;
+         action == Action::zoom_out || action == Action::previous_update || action == Action::next_update;
 }
 
 bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(index(key), repeat); }
@@ -47,8 +49,8 @@ std::vector<Action> pressedActions() {
     if (pressed(s.key, repeats(s.action))) actions.push_back(s.action);
   }
   if (io.KeyShift) return actions;
-  const Action layouts[] = {Action::layout_2, Action::layout_3, Action::layout_4};
-  for (int i = 0; i < 3; ++i) {
+  const Action layouts[] = {Action::layout_2, Action::layout_3, Action::layout_4, Action::layout_5};
+  for (int i = 0; i < 4; ++i) {
     if (pressed(keyOf(static_cast<char>('2' + i)), false)) actions.push_back(layouts[i]);
   }
   return actions;

@@ -25,6 +25,9 @@ enum class Action {
   layout_2,
   layout_3,
   layout_4,
+  layout_5,
+  previous_update,
+  next_update,
   help,
   clear,
 };

@@ -20,6 +20,8 @@ namespace {
 const std::map<std::string, void (*)(PanelContext&)>& panelTable() {
   static const std::map<std::string, void (*)(PanelContext&)> table{
       {"Image", drawImagePanel},           {"3-D", drawScenePanel},
+      {"Seed", drawSeedPanel},             {"Epipolar search", drawEpipolarPanel},
+      {"KL / JS", drawDivergencePanel},    {"Filter lab", drawLabPanel},
       {"Plots", drawPlotsPanel},           {"Timing", drawTimingPanel},
       {"Funnel", drawFunnelPanel},         {"Selection", drawSelectionPanel},
       {"Evaluation", drawEvaluationPanel}, {"Parameters", drawParametersPanel},
@@ -95,6 +97,7 @@ void Inspector::draw() {
   for (const Action action : pressedActions()) act(action);
   PanelContext context = makeContext();
   drawWindow(context);
+  state_.seed.step_request = 0;
   drawHelp(context);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   state_.toasts.draw({display.x - grid(3), display.y - grid(9)});
@@ -185,6 +188,9 @@ void Inspector::step(bool back) {
   state_.viewed_frame = target >= newest ? -1 : target;
 }
 
+// Applied by the panel that shows the updates; nothing happens if none does.
+void Inspector::stepUpdate(int by) { state_.seed.step_request += by; }
+
 void Inspector::requestScreenshot() {
   const SnapshotPtr latest = runner_.latest();
   const int frame = state_.viewed_frame >= 0 ? state_.viewed_frame : latest ? latest->record.index : 0;
@@ -219,7 +225,10 @@ void Inspector::act(Action action) {
     case Action::layout_2:
     case Action::layout_3:
     case Action::layout_4:
+    case Action::layout_5:
       return showPreset(presetNames()[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::layout_1)]);
+    case Action::previous_update: return stepUpdate(-1);
+    case Action::next_update: return stepUpdate(1);
     case Action::help: state_.show_help = !state_.show_help; return;
     case Action::clear:
       if (state_.show_help) state_.show_help = false;

@@ -49,6 +49,7 @@ class Inspector : public UiContent {
   void drawRunMenu(PanelContext& context);
   void drawViewMenu();
   void step(bool back);
+  void stepUpdate(int by);
   void togglePlay();
   void requestScreenshot();
   void layoutChanged();

@@ -54,7 +54,7 @@ void Inspector::drawRunMenu(PanelContext& context) {
 }
 
 void Inspector::drawViewMenu() {
-  const char* keys[] = {"1", "2", "3", "4"};
+  const char* keys[] = {"1", "2", "3", "4", "5"};
   for (std::size_t i = 0; i < presetNames().size(); ++i) {
     const std::string label = presetNames()[i] + " layout";
     if (menuItem(label.c_str(), keys[i], state_.layout.name == presetNames()[i])) showPreset(presetNames()[i]);

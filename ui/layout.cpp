@@ -14,8 +14,10 @@ namespace {
 // The presets use the same text as layout.txt.
 const char* presetText(const std::string& name) {
   if (name == "Seeds")
-    return "Seeds|h 0.60 ( v 0.66 ( [Image] [Plots,Timing,Log] ) "
-           "v 0.62 ( [Selection,Parameters] [3-D,Funnel] ) )";
+    return "Seeds|h 0.50 ( v 0.56 ( [Image] [Epipolar search,Plots,Log] ) "
+           "h 0.70 ( [Seed] v 0.55 ( [Selection,Parameters] [3-D,Funnel] ) ) )";
+  if (name == "KL / JS")
+    return "KL / JS|h 0.56 ( [KL / JS] v 0.46 ( [Image,Seed,3-D] [Filter lab,Epipolar search,Selection] ) )";
   if (name == "Evaluation")
     return "Evaluation|h 0.56 ( v 0.60 ( [3-D] [Plots,Timing] ) "
            "v 0.58 ( [Evaluation] [Image,Log,Selection] ) )";
@@ -34,7 +36,10 @@ struct Parser {
   Result<LayoutNode> node() {
     std::string word;
     if (!(in >> word)) return layoutError("the layout ends too early");
-    if (word[0] == '[') return leaf(word);
+    if (word[0] == '[') {
+      if (std::string rest; word.back() != ']' && std::getline(in, rest, ']')) word += rest + "]";
+      return leaf(word);
+    }
     if (word != "h" && word != "v") return layoutError("\"" + word + "\" is not h, v or [panels]");
     LayoutNode split;
     split.leaf = false;
@@ -104,13 +109,14 @@ Layout& Layout::operator=(const Layout& o) {
 }
 
 const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names{"Tracking", "Seeds", "Evaluation", "Image only"};
+  static const std::vector<std::string> names{"Tracking", "Seeds", "KL / JS", "Evaluation", "Image only"};
   return names;
 }
 
 const std::vector<std::string>& panelNames() {
-  static const std::vector<std::string> names{"Image",  "3-D",        "Plots",      "Timing", "Funnel",
-                                              "Selection", "Evaluation", "Parameters", "Log",    "Help"};
+  static const std::vector<std::string> names{
+      "Image",  "3-D",       "Seed",       "Epipolar search", "KL / JS", "Filter lab", "Plots",
+      "Timing", "Funnel",    "Selection",  "Evaluation",      "Parameters", "Log",     "Help"};
   return names;
 }
 

@@ -67,6 +67,9 @@ const char* methodName(const std::string& method) {
   return method.c_str();
 }
 
+ImU32 ruleColor(Rule rule) { return rule == Rule::kl ? okabe::orange : okabe::sky; }
+const char* ruleName(Rule rule) { return rule == Rule::kl ? "KL" : "JS"; }
+
 ImU32 originColor(FeatureOrigin origin) {
   switch (origin) {
     case FeatureOrigin::landmark: return okabe::green;

@@ -24,6 +24,10 @@ constexpr ImU32 grey = IM_COL32(160, 164, 170, 255);
 }  // namespace okabe
 
 namespace ink {
+constexpr ImU32 measurement = okabe::green;
+constexpr ImU32 prior = okabe::purple;
+constexpr ImU32 threshold = okabe::vermillion;
+constexpr ImU32 highlight = okabe::yellow;
 constexpr ImU32 window = IM_COL32(17, 19, 23, 255);
 constexpr ImU32 panel = IM_COL32(24, 27, 32, 255);
 constexpr ImU32 title = IM_COL32(32, 36, 43, 255);
@@ -44,6 +48,10 @@ ImVec4 toVec4(ImU32 color);
 
 /// One colour per method, everywhere: "svo", "pl-svo", "it-svo".
 ImU32 methodColor(const std::string& method);
+/// The two rules of the depth filter, everywhere; lines of KL are dashed, too, its points diamonds.
+enum class Rule : int { kl, js };
+ImU32 ruleColor(Rule rule);
+const char* ruleName(Rule rule);
 ImU32 originColor(FeatureOrigin origin);
 /// Outliers and features that did not align have a colour of their own, inliers that of the origin.
 ImU32 featureColor(const FeatureView& feature);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "ui/layout.h"
 #include "ui/widgets/image_view.h"
@@ -28,10 +29,13 @@ struct Selection {
 
 enum class ColorBy : int { origin, status, depth, observations, residual, level };
 
+enum class SeedColorBy : int { status, sigma, inlier_ratio, age, disagreement };
+
 struct ImageOptions {
   ImageViewState view;
   int level = 0;
   ColorBy color_by = ColorBy::origin;
+  SeedColorBy seed_color = SeedColorBy::status;
   bool corners = true, edgelets = true, segments = true;
   bool outliers = true, not_aligned = false;
   bool residuals = true, predicted = false, ids = false, trails = true;
@@ -54,11 +58,61 @@ struct SceneOptions {
   int fitted_points = 0;
 };
 
+/// The seed panels: which update is looked at, which seeds are kept in view.
+struct SeedOptions {
+  bool distance = false;       ///< densities over distance, else over inverse distance
+  bool image_follows = true;   ///< stepping through updates shows the frame that was searched
+  int update = -1;             ///< index into the held updates; -1: the last one at the viewed frame
+  int update_frame = -1;       ///< viewed frame that `update` was chosen at; another one frees it
+  std::int64_t update_seed = -1;
+  int step_request = 0;        ///< updates to step by, from a key
+  bool whole_range = false;    ///< densities from 0 to the range, else about the belief
+  std::vector<std::int64_t> pinned;
+  bool profile_in_pixels = false;
+};
+
+/// Place on the epipolar line under the mouse in the score profile; drawn in the image.
+struct SearchHover {
+  bool on = false;
+  int frame = -1;
+  Eigen::Vector2f px = Eigen::Vector2f::Zero();
+};
+
+/// The epipolar line of the update looked at; drawn in the image of its frame.
+struct SearchLine {
+  int frame = -1;
+  Eigen::Vector2f near_px = Eigen::Vector2f::Zero(), far_px = Eigen::Vector2f::Zero();
+  Eigen::Vector2f match_px = Eigen::Vector2f::Zero();
+  bool matched = false;
+};
+
+struct DivergenceOptions {
+  bool whole_run = true;       ///< else the viewed frame only
+  bool brush_changed = false;  ///< the highlighted seeds must be found again
+  bool brushed = false;        ///< a rectangle is drawn in the scatter
+  double x_lo = 0, x_hi = 0, y_lo = 0, y_hi = 0;
+};
+
+/// What the filter lab's sliders stand at.
+struct LabSettings {
+  float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;            ///< two Gaussians; offset = x - mu
+  float baseline = 0.3f, depth = 2.5f, pixel_noise = 1, focal = 525;  ///< two views: m, m, px, px
+  float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
+};
+
 struct UiState {
   int viewed_frame = -1;  ///< -1: live, follows the engine
   Selection selection;
   ImageOptions image;
   SceneOptions scene;
+  SeedOptions seed;
+  SearchHover search_hover;
+  SearchLine search_line;
+  DivergenceOptions divergence;
+  LabSettings lab;
+  int lab_section = 0;         ///< divergences, two views, population, all
+  std::uint64_t lab_random_seed = 0;
+  std::set<std::int64_t> highlighted;  ///< seeds, by a brush
   LinkedX linked_x;       ///< of all plots over frames
   std::map<std::string, PlotState> plots;
   std::set<std::string> plot_groups{"Features", "Time"};

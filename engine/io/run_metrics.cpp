@@ -102,6 +102,8 @@ RunMetrics metricsOfRecords(const std::vector<FrameRecord>& records, int frames)
       }
     }
     if (!metrics.init_frame) ++before_init;
+    // The reference of a start became a keyframe before its row could say so.
+    metrics.keyframes += record.is_keyframe + (record.is_keyframe && record.keyframe_id == 1);
     metrics.seeds.converged += record.seeds_converged;
     metrics.seeds.rejected += record.seeds_rejected;
   }
@@ -109,7 +111,6 @@ RunMetrics metricsOfRecords(const std::vector<FrameRecord>& records, int frames)
     metrics.tracked_fraction_after_init =
         metrics.tracked / static_cast<double>(metrics.frames - before_init);
   }
-  if (!records.empty()) metrics.keyframes = records.back().keyframes;
   countLosses(records, metrics);
   for (int i = 0; i < kStageCount; ++i) {
     metrics.time_ms[i] = stageTime(records, static_cast<Stage>(i));

@@ -87,7 +87,6 @@ RunMetrics RunWriter::metrics(const SnapshotPtr& last, int frames,
   const double wall_s = watch_.ms() * 1e-3;
   m.fps = wall_s > 0 ? m.frames / wall_s : 0;
   m.peak_rss_mb = peakRssMb();
-  if (last && last->keyframes) m.keyframes = static_cast<int>(last->keyframes->size());
   countMap(pointsOf(last), m);
   if (!updates_of_converged_.empty()) {
     std::vector<double> updates;

@@ -44,29 +44,49 @@ void Map::removeSegment(std::int64_t id) {
   segments.erase(it);
 }
 
+void Map::removeSegmentView(std::int64_t id, int keyframe_id) {
+  SegmentLandmark& segment = segments.at(id);
+  // The prior belongs to the first view and goes with it.
+  if (segment.views.front().keyframe_id == keyframe_id) segment.prior_sigma[0] = segment.prior_sigma[1] = 0;
+  if (Keyframe* keyframe = findKeyframe(keyframe_id)) eraseValue(keyframe->segments, id);
+  segment.views.erase(std::remove_if(segment.views.begin(), segment.views.end(),
+                                     [keyframe_id](const SegmentView& v) { return v.keyframe_id == keyframe_id; }),
+                      segment.views.end());
+  if (segment.views.size() < 2) removeSegment(id);
+}
+
+void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
+  Landmark* landmark = find(landmark_id);
+  if (!landmark) return;
+  if (Keyframe* keyframe = findKeyframe(keyframe_id)) eraseValue(keyframe->landmarks, landmark_id);
+  auto& views = landmark->observations;
+  views.erase(std::remove_if(views.begin(), views.end(),
+                             [keyframe_id](const LandmarkObservation& o) { return o.keyframe_id == keyframe_id; }),
+              views.end());
+  if (views.size() < 2) removeLandmark(landmark_id);
+}
+
+void Map::endSeeds(Keyframe& keyframe, SeedEnding ending) {
+  for (Seed& seed : keyframe.seeds) {
+    if (seed.ending == SeedEnding::none) {
+      seed.status = SeedStatus::rejected;
+      seed.ending = ending;
+    }
+    orphans.push_back({seed, keyframe.T_cam_world});
+  }
+  keyframe.seeds.clear();
+  keyframe.segment_seeds.clear();
+}
+
 void Map::removeKeyframe(int id) {
   Keyframe* keyframe = findKeyframe(id);
   if (!keyframe) return;
   const std::vector<std::int64_t> seen = keyframe->landmarks, seen_segments = keyframe->segments;
+  for (const std::int64_t landmark_id : seen) removeObservation(landmark_id, id);
+  for (const std::int64_t segment_id : seen_segments) removeSegmentView(segment_id, id);
+  endSeeds(*keyframe, SeedEnding::keyframe_removed);
+  retired.push_back({id, keyframe->frame_index, keyframe->T_cam_world.inverse()});
   keyframes.erase(id);
-  for (const std::int64_t landmark_id : seen) {
-    Landmark* landmark = find(landmark_id);
-    if (!landmark) continue;
-    auto& observations = landmark->observations;
-    observations.erase(std::remove_if(observations.begin(), observations.end(),
-                                      [id](const LandmarkObservation& o) { return o.keyframe_id == id; }),
-                       observations.end());
-    if (observations.size() < 2) removeLandmark(landmark_id);
-  }
-  for (const std::int64_t segment_id : seen_segments) {
-    auto& segment = segments.at(segment_id);
-    // The prior belongs to the first view and goes with it.
-    if (segment.views.front().keyframe_id == id) segment.prior_sigma[0] = segment.prior_sigma[1] = 0;
-    segment.views.erase(std::remove_if(segment.views.begin(), segment.views.end(),
-                                       [id](const SegmentView& v) { return v.keyframe_id == id; }),
-                        segment.views.end());
-    if (segment.views.size() < 2) removeSegment(segment_id);
-  }
 }
 
 int Map::seedCount() const {

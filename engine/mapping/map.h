@@ -31,10 +31,13 @@ struct Seed {
   std::int64_t id = -1;
   int keyframe_id = -1;
   FeatureAnchor anchor;              ///< in its keyframe
-  Belief belief;
+  Belief belief;                     ///< of the rule in use: decides status and map
+  Belief shadow;                     ///< of the other rule, on the same measurements; for inspection
+  bool has_shadow = true;            ///< no measurement was kept from it
   double range = 1;                  ///< R, 1/map unit
   double score = 0;                  ///< of the detector
   SeedStatus status = SeedStatus::active;
+  SeedEnding ending = SeedEnding::none;
   SearchOutcome outcome = SearchOutcome::none;  ///< of the last frame
   int updates = 0, failures = 0;
   int last_frame = -1;               ///< last frame with a successful measurement
@@ -67,13 +70,28 @@ struct Keyframe {
   std::vector<std::int64_t> segments;         ///< segment landmarks seen in it
   std::vector<SegmentSeed> segment_seeds;     ///< in order of id
   cv::Mat thumbnail;                          ///< small blurred float image, zero mean
+  int last_local_frame = -1;                  ///< last frame that searched its features
+};
+
+/// What is left of a keyframe that was removed from the map.
+struct RetiredKeyframe {
+  int id = -1, frame_index = -1;
+  SE3 T_world_cam;
+};
+
+/// A seed that went with its keyframe.
+struct OrphanSeed {
+  Seed seed;
+  SE3 T_cam_world;                   ///< of the removed keyframe
 };
 
 struct Map {
   Pinhole camera;
+  std::vector<RetiredKeyframe> retired;       ///< by id
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
   std::map<std::int64_t, SegmentLandmark> segments;
+  std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
   std::int64_t next_id = 0;                   ///< of landmarks, segments and seeds of both
   int next_keyframe_id = 0;
 
@@ -91,6 +109,11 @@ struct Map {
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);
   void removeLandmark(std::int64_t id);
   void removeSegment(std::int64_t id);
+  void removeSegmentView(std::int64_t id, int keyframe_id);
+  /// Takes back one view; a landmark left with fewer than two goes.
+  void removeObservation(std::int64_t landmark_id, int keyframe_id);
+  /// Ends all seeds of a keyframe; they are kept as orphans until the next frame.
+  void endSeeds(Keyframe& keyframe, SeedEnding ending);
   /// Removes the keyframe, its seeds and its observations; landmarks left with fewer than two
   /// observations go too.
   void removeKeyframe(int id);

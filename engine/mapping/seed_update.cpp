@@ -30,18 +30,20 @@ EpipolarMatch measure(const FeatureAnchor& anchor, double mu, double sigma, cons
 
 SeedMeasurement toMeasurement(const EpipolarMatch& match, std::int64_t seed_id, int keyframe_id,
                               int frame_index) {
-  return {seed_id, keyframe_id, frame_index, match.outcome, match.inv_distance, match.tau};
+  // Without a scan the search reports no score.
+  return {seed_id, keyframe_id, frame_index, match.outcome, match.inv_distance, match.tau, match.px, match.score};
 }
 
 /// New seeds are measured at once against older views: forward motion needs it.
 void measureAgainstOlder(const MappingJob& job, const MappingParameters& p, Seed seed, NewSeed& out) {
-  const JobKeyframe self{job.new_seeds.keyframe_id, job.pyramid, job.T_cam_world};
+  const JobKeyframe self{job.new_seeds.keyframe_id, job.pyramid, job.T_cam_world, job.frame_index};
+  seed.has_shadow = false;  // only the rule in use leads the searches
   for (const JobKeyframe& view : job.older_views) {
     const EpipolarMatch match = measure(seed.anchor, seed.belief.mu, std::sqrt(seed.belief.sigma2), self,
                                         view.pyramid, view.T_cam_world, job.camera, p);
     // That an old view does not show the feature says nothing against it.
     if (match.outcome != SearchOutcome::matched) continue;
-    const SeedMeasurement m = toMeasurement(match, -1, self.id, job.frame_index);
+    const SeedMeasurement m = toMeasurement(match, -1, self.id, view.frame_index);
     applyMeasurement(seed, m, p.filter);
     out.measurements.push_back(m);
   }
@@ -59,15 +61,36 @@ Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double medi
   const double sigma = seed.range * p.initial_sigma_fraction;
   seed.belief.sigma2 = sigma * sigma;
   seed.belief.a = seed.belief.b = p.initial_ab;
+  seed.shadow = seed.belief;
   return seed;
 }
 
+namespace {
+
+SeedEnding endingOf(const Belief& q, const DepthFilterParameters& p) {
+  if (!std::isfinite(q.mu) || !std::isfinite(q.sigma2)) return SeedEnding::not_finite;
+  if (q.mu <= 0) return SeedEnding::no_depth;
+  return q.inlierRatio() < p.reject_inlier_ratio ? SeedEnding::inlier_ratio : SeedEnding::none;
+}
+
+void updateBeliefs(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& p) {
+  const Measurement measured{m.x, m.tau * m.tau, seed.range};
+  seed.belief = updateBelief(p.rule, seed.belief, measured, p.js);
+  if (!seed.has_shadow) return;
+  const FilterRule other = p.rule == FilterRule::kl ? FilterRule::js : FilterRule::kl;
+  seed.shadow = updateBelief(other, seed.shadow, measured, p.js);
+}
+
+}  // namespace
+
 void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& p) {
+  if (seed.ending != SeedEnding::none) return;
   seed.outcome = m.outcome;
   switch (m.outcome) {
     case SearchOutcome::matched:
     case SearchOutcome::tracked:
-      seed.belief = updateKl(seed.belief, {m.x, m.tau * m.tau, seed.range});
+      seed.has_shadow = seed.has_shadow && p.shadow;
+      updateBeliefs(seed, m, p);
       ++seed.updates;
       seed.last_frame = m.frame_index;
       seed.last_x = m.x;
@@ -75,13 +98,14 @@ void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterPar
       break;
     case SearchOutcome::no_match:
       seed.belief.b += 1;
+      seed.shadow.b += 1;
       ++seed.failures;
       break;
     default:
       return;  // says nothing about the depth
   }
-  const bool hopeless = seed.belief.inlierRatio() < p.reject_inlier_ratio || !(seed.belief.mu > 0);
-  if (hopeless) {
+  seed.ending = endingOf(seed.belief, p);
+  if (seed.ending != SeedEnding::none) {
     seed.status = SeedStatus::rejected;
   } else if (std::sqrt(seed.belief.sigma2) < seed.range * p.converged_fraction &&
              seed.belief.inlierRatio() > p.min_inlier_ratio) {
@@ -112,6 +136,7 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& p) {
     }
   }
   result.segments = runSegmentJob(job, p);
+  if (!job.adjustment.empty()) result.adjustment = adjustLocally(job.adjustment, p.local_ba);
   result.time_ms = watch.ms();
   return result;
 }

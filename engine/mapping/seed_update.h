@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/detect/feature_detector.h"
+#include "engine/mapping/local_adjustment.h"
 #include "engine/mapping/map.h"
 #include "engine/match/epipolar_search.h"
 
@@ -19,6 +20,9 @@ struct DepthFilterParameters {
   double min_inlier_ratio = 0.5;             ///< ... and a / (a + b) above this
   double reject_inlier_ratio = 0.08;         ///< rejected below
   int max_seeds_per_keyframe = 400;
+  FilterRule rule = FilterRule::kl;          ///< decided by the method
+  JsSwitches js;
+  bool shadow = true;                        ///< update the other rule too, where it can be seen
 };
 
 /// Values the mapping thread needs of one keyframe.
@@ -26,6 +30,7 @@ struct JobKeyframe {
   int id = -1;
   PyramidPtr pyramid;
   SE3 T_cam_world;
+  int frame_index = -1;
 };
 
 struct JobSeed {
@@ -54,14 +59,17 @@ struct MappingJob {
   SegmentJob segments;
   /// Older views that new seeds are measured against at once.
   std::vector<JobKeyframe> older_views;
+  AdjustmentProblem adjustment;   ///< of the keyframe's neighbourhood; may be empty
 };
 
 struct SeedMeasurement {
   std::int64_t seed_id = -1;
   int keyframe_id = -1;      ///< that owns the seed
-  int frame_index = -1;
+  int frame_index = -1;      ///< that was searched
   SearchOutcome outcome = SearchOutcome::none;
   double x = 0, tau = 0;
+  Vec2 px = Vec2::Zero();    ///< match, level 0
+  double score = 0;          ///< of the best sample; 0: no scan
 };
 
 struct NewSeed {
@@ -76,6 +84,7 @@ struct MappingResult {
   std::vector<NewSeed> new_seeds;
   SegmentJobResult segments;
   double median_depth = 1, min_depth = 0.5;
+  AdjustmentResult adjustment;
   double time_ms = 0;
 };
 
@@ -85,6 +94,7 @@ struct MappingParameters {
   FeatureAlignmentParameters alignment;
   DepthFilterParameters filter;
   SegmentParameters segments;
+  LocalAdjustmentParameters local_ba;
 };
 
 /// Runs a job. Pure: reads only the job.
@@ -94,7 +104,15 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& para
 Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double median_depth,
               double min_depth, const DepthFilterParameters& parameters);
 
-/// Applies a measurement (or its absence) to the belief and the status of a seed.
+/// Applies a measurement (or its absence) to the beliefs of both rules, and by the one in use to the
+/// status of a seed.
 void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& parameters);
+
+/// The belief of one rule, for display; sigma = 0 if it was not computed.
+BeliefView beliefView(const Seed& seed, FilterRule rule, FilterRule rule_in_use);
+
+/// What measurement `m` did to a seed, for display.
+SeedUpdateView describeUpdate(const Seed& before, const Seed& after, const SeedMeasurement& m,
+                              FilterRule rule_in_use);
 
 }  // namespace svoscope

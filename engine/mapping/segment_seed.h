@@ -57,6 +57,7 @@ struct SegmentSeed {
   Belief belief[2];
   double range = 1;                  ///< R, 1/map unit
   SeedStatus status = SeedStatus::active;
+  SeedEnding ending = SeedEnding::none;
   SearchOutcome outcome = SearchOutcome::none;
   int updates = 0, failures = 0;
   int last_frame = -1;

@@ -147,7 +147,7 @@ void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m, con
     case SearchOutcome::tracked: {
       double a = 0, b = 0;
       for (int i = 0; i < 2; ++i) {
-        seed.belief[i] = updateKl(seed.belief[i], {m.x[i], m.tau[i] * m.tau[i], seed.range});
+        seed.belief[i] = updateBelief(p.rule, seed.belief[i], {m.x[i], m.tau[i] * m.tau[i], seed.range}, p.js);
         a += 0.5 * seed.belief[i].a;
         b += 0.5 * seed.belief[i].b;
         seed.last_x[i] = m.x[i];
@@ -168,7 +168,9 @@ void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m, con
   }
   const double ratio = seed.belief[0].inlierRatio();
   const double sigma = std::sqrt(std::max(seed.belief[0].sigma2, seed.belief[1].sigma2));
-  if (ratio < p.reject_inlier_ratio || !(seed.belief[0].mu > 0) || !(seed.belief[1].mu > 0)) {
+  if (!(seed.belief[0].mu > 0) || !(seed.belief[1].mu > 0)) seed.ending = SeedEnding::no_depth;
+  if (ratio < p.reject_inlier_ratio) seed.ending = SeedEnding::inlier_ratio;
+  if (seed.ending != SeedEnding::none) {
     seed.status = SeedStatus::rejected;
   } else if (sigma < seed.range * p.converged_fraction && ratio > p.min_inlier_ratio) {
     seed.status = SeedStatus::converged;

@@ -171,15 +171,11 @@ double inverseDistanceSigma(const SE3& T_cur_ref, const Vec3& f_ref, double inv_
   const double distance = 1.0 / std::max(inv_distance, kMinInverseDistance);
   if (t_norm < 1e-9) return 1e6;
   const Vec3 a = f_ref * distance - t;
-  const double alpha = std::acos(std::clamp(f_ref.dot(t) / t_norm, -1.0, 1.0));
-  const double beta = std::acos(std::clamp(-a.dot(t) / (t_norm * a.norm()), -1.0, 1.0));
-  const double beta_plus = beta + px_angle;
-  const double gamma_plus = M_PI - alpha - beta_plus;
-  // Rays that no longer meet: the far side is unbounded.
-  if (gamma_plus <= 1e-9) return std::max(inv_distance, 1.0 / t_norm);
-  const double distance_plus = t_norm * std::sin(beta_plus) / std::sin(gamma_plus);
-  const double tau = distance_plus - distance;
-  return 0.5 * (1.0 / std::max(1e-7, distance - tau) - 1.0 / (distance + tau));
+  const double beta_sine = a.cross(t).norm() / (t_norm * a.norm());
+  // With alpha at the reference and beta at the current camera the law of sines gives the inverse
+  // distance sin(alpha + beta) / (|t| sin(beta)). Its derivative by beta has no pole at infinity,
+  // where the distance itself has: far points keep a finite, usable sigma.
+  return px_angle * a.norm() / (distance * t_norm * std::max(beta_sine, 1e-9));
 }
 
 EpipolarMatch searchEpipolar(const EpipolarQuery& q, const EpipolarParameters& p,
@@ -228,6 +224,19 @@ EpipolarMatch searchEpipolar(const EpipolarQuery& q, const EpipolarParameters& p
   match.tau = inverseDistanceSigma(q.T_cur_ref, q.f_ref, match.inv_distance, p.pixel_noise, q.camera.focal());
   match.outcome = SearchOutcome::matched;
   return match;
+}
+
+SearchSetup prepareSearch(const EpipolarQuery& q, const EpipolarParameters& p) {
+  Prepared s;
+  SearchSetup setup;
+  setup.outcome = prepare(q, p, s);
+  if (setup.outcome != SearchOutcome::matched) return setup;
+  setup.px_near = s.line.near;
+  setup.px_far = s.line.far;
+  setup.level = s.level;
+  setup.length_px = (s.line.near - s.line.far).norm() / (1 << s.level);
+  setup.patch = s.patch;
+  return setup;
 }
 
 std::vector<ProfileSample> scoreProfile(const EpipolarQuery& q, const EpipolarParameters& p) {

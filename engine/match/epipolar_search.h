@@ -8,6 +8,7 @@
 
 #include "engine/frame/pyramid.h"
 #include "engine/match/feature_alignment.h"
+#include "engine/match/patch.h"
 #include "engine/snapshot/snapshot.h"
 
 namespace svoscope {
@@ -49,6 +50,17 @@ struct EpipolarMatch {
 
 EpipolarMatch searchEpipolar(const EpipolarQuery& query, const EpipolarParameters& parameters,
                              const FeatureAlignmentParameters& alignment);
+
+/// The line that is searched and the patch that is sought, for display. Outcome `matched` if both
+/// exist; `length_px` is the line's length on the search level.
+struct SearchSetup {
+  SearchOutcome outcome = SearchOutcome::none;
+  Vec2 px_near = Vec2::Zero(), px_far = Vec2::Zero();  ///< level 0
+  double length_px = 0;
+  int level = 0;
+  WarpedPatch patch;
+};
+SearchSetup prepareSearch(const EpipolarQuery& query, const EpipolarParameters& parameters);
 
 /// Score of every sample of the search, for display. Empty if the search has no line.
 struct ProfileSample {

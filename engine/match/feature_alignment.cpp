@@ -80,6 +80,7 @@ class Aligner {
       if (gain_) removeTemplate(column);
     }
     Eigen::Matrix<double, N, N> H;
+    for (int i = 0; i < N; ++i) along_template_[i] = dot(template_.jacobian[i], template_.value);
     for (int i = 0; i < N; ++i)
       for (int j = 0; j < N; ++j) H(i, j) = dot(template_.jacobian[i], template_.jacobian[j]);
     solver_.compute(H);
@@ -101,7 +102,7 @@ class Aligner {
       if (gain_) gain = dot(residual, template_.value) / energy_;
       if (!(gain > 0.3f && gain < 3.0f)) return result;
       Eigen::Matrix<double, N, 1> b;
-      for (int i = 0; i < N; ++i) b[i] = dot(template_.jacobian[i], residual) / gain;
+      for (int i = 0; i < N; ++i) b[i] = dot(template_.jacobian[i], residual) / gain - along_template_[i];
       const Eigen::Matrix<double, N, 1> step = solver_.solve(b);
       if constexpr (N == 2) {
         x -= static_cast<float>(step[0]);
@@ -148,6 +149,7 @@ class Aligner {
 
   const FeatureAlignmentParameters& parameters_;
   Template<N> template_;
+  Eigen::Matrix<double, N, 1> along_template_;  ///< Jacobian times template; zero with gain
   float energy_ = 0;
   bool gain_ = false, usable_ = false;
   Eigen::LDLT<Eigen::Matrix<double, N, N>> solver_;

@@ -66,7 +66,7 @@ void Engine::refreshRecord() {
 
 SnapshotPtr Engine::snapshot() {
   Stopwatch watch;
-  std::shared_ptr<Snapshot> s = image_good_ ? builder_.build(tracker_) : std::make_shared<Snapshot>();
+  std::shared_ptr<Snapshot> s = image_good_ ? builder_.build(tracker_) : builder_.buildEmpty();
   record_.time_ms[static_cast<int>(Stage::snapshot)] = watch.ms();
   s->record = record_;
   s->events = events_;
@@ -75,13 +75,19 @@ SnapshotPtr Engine::snapshot() {
 
 Status Engine::setParameter(const std::string& key, const std::string& value) {
   Status status = svoscope::setParameter(parameters_, key, value);
-  if (status.ok()) tracker_.setParameters(parameters_.tracker);
+  if (status.ok()) {
+    tracker_.setParameters(parameters_.tracker);
+    builder_.parametersChanged();
+  }
   return status;
 }
 
 void Engine::reset() {
   tracker_.reset();
   builder_.reset();
+  record_ = FrameRecord{};
+  events_.clear();
+  image_good_ = false;
   next_ = start_;
 }
 

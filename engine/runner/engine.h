@@ -26,6 +26,7 @@ class Engine {
   void step();
   std::optional<MappingJob> takeMappingJob() { return tracker_.takeMappingJob(); }
   void applyMapping(const MappingResult& result) { tracker_.applyMapping(result); }
+  void setTimed(bool timed) { tracker_.setTimed(timed); }
   const MappingParameters& mappingParameters() const { return parameters_.tracker.mapping; }
 
   const FrameRecord& record() const { return record_; }
@@ -34,6 +35,9 @@ class Engine {
   SnapshotPtr snapshot();
   /// Copies what mapping added to the frame's record after step().
   void refreshRecord();
+
+  /// On: snapshots hold both rules of the depth filter and every seed update (Tracker::setInspected).
+  void setInspected(bool on) { tracker_.setInspected(on); }
 
   Status setParameter(const std::string& key, const std::string& value);
   const Parameters& parameters() const { return parameters_; }

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "engine/runner/make_runner.h"
 
+#include <optional>
+
 #include "engine/runner/sync_runner.h"
 #include "engine/runner/threaded_runner.h"
 
 namespace svoscope {
 
-Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& options) {
-  if (options.method != "svo" && options.method != "pl-svo" && options.method != "it-svo")
-    return usageError("method '" + options.method + "' is not available", "--method", "use svo, pl-svo or it-svo");
+namespace {
+
+std::optional<FilterRule> ruleOf(const std::string& method) {
+  if (method == "svo" || method == "pl-svo") return FilterRule::kl;
+  if (method == "it-svo") return FilterRule::js;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& asked) {
+  const auto rule = ruleOf(asked.method);
+  if (!rule) return usageError("method '" + asked.method + "' is not available", "--method", "use svo, pl-svo or it-svo");
+  RunnerOptions options = asked;
+  options.parameters.tracker.mapping.filter.rule = *rule;
+  options.parameters.tracker.mapping.segments.enabled = asked.method != "svo";
   if (sequence->size() == 0)
     return inputError("the sequence has no frames", sequence->name(), "check the list of images");
   if (options.start >= sequence->size())
@@ -16,10 +31,8 @@ Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, c
                       "the sequence has " + std::to_string(sequence->size()) + " frames");
   const Status camera = sequence->camera().check();
   if (!camera.ok()) return camera.error();
-  RunnerOptions o = options;
-  o.parameters.tracker.mapping.segments.enabled = options.method != "svo";
-  if (o.threaded) return std::unique_ptr<Runner>(new ThreadedRunner(std::move(sequence), o));
-  return std::unique_ptr<Runner>(new SyncRunner(std::move(sequence), o));
+  if (options.threaded) return std::unique_ptr<Runner>(new ThreadedRunner(std::move(sequence), options));
+  return std::unique_ptr<Runner>(new SyncRunner(std::move(sequence), options));
 }
 
 }  // namespace svoscope

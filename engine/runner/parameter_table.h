@@ -14,6 +14,7 @@ struct ParameterInfo {
   bool needs_reset = false;
 };
 
+/// A key without a group stands at the top level of a configuration file.
 /// Calls f(info, field) for every parameter; fields are int, double or bool references.
 template <typename P, typename F>
 void visitTracking(P& p, F&& f) {
@@ -69,7 +70,22 @@ void visitMapping(P& p, F&& f) {
   f(ParameterInfo{"filter.converged_sigma", "", "converged below this share of the range", 1e-5, 0.2}, m.filter.converged_fraction);
   f(ParameterInfo{"filter.min_inlier_ratio", "", "a/(a+b) of a converged seed", 0, 1}, m.filter.min_inlier_ratio);
   f(ParameterInfo{"filter.reject_inlier_ratio", "", "a/(a+b) below which a seed is rejected", 0, 1}, m.filter.reject_inlier_ratio);
+  f(ParameterInfo{"filter.shadow", "", "run the rule not in use too, for inspection", 0, 1}, m.filter.shadow);
+  f(ParameterInfo{"filter.js_fuse_variance", "", "JS: variance of the measurement fused with that of the mixture", 0, 1}, m.filter.js.fuse_variance);
+  f(ParameterInfo{"filter.js_weight_responsibility", "", "JS: inlier responsibility weighted by the affinity", 0, 1}, m.filter.js.weight_responsibility);
   f(ParameterInfo{"filter.max_seeds", "", "new seeds per keyframe", 10, 5000}, m.filter.max_seeds_per_keyframe);
+}
+
+template <typename P, typename F>
+void visitAdjustment(P& p, F&& f) {
+  auto& b = p.tracker.mapping.local_ba;
+  f(ParameterInfo{"local_ba", "", "local bundle adjustment at every keyframe", 0, 1}, b.enabled);
+  f(ParameterInfo{"adjust.keyframes", "", "refined besides the newest", 1, 100}, b.keyframes);
+  f(ParameterInfo{"adjust.fixed_keyframes", "", "held, others that see the same landmarks", 0, 100}, b.fixed_keyframes);
+  f(ParameterInfo{"adjust.max_iterations", "", "Levenberg-Marquardt steps", 1, 100}, b.max_iterations);
+  f(ParameterInfo{"adjust.robust_px", "px", "scale of the Huber loss, times 2^level", 0.05, 20}, b.robust_px);
+  f(ParameterInfo{"adjust.outlier_px", "px", "views with a larger error are removed, times 2^level", 0.1, 50}, b.outlier_px);
+  f(ParameterInfo{"adjust.max_time_ms", "ms", "time box, not in synchronous runs", 1, 10000}, b.max_time_ms);
 }
 
 template <typename P, typename F>
@@ -124,6 +140,7 @@ void visitParameters(P& p, F&& f) {
   visitTracking(p, f);
   visitMapping(p, f);
   visitSegments(p, f);
+  visitAdjustment(p, f);
   visitQuality(p, f);
 }
 

@@ -56,6 +56,16 @@ std::string known(Parameters& parameters, const std::string& key) {
   return same.empty() ? "groups are " + groups : "known are " + same;
 }
 
+/// A value of a configuration file: its errors are input errors that name the file.
+Status setInFile(Parameters& parameters, const std::string& key, const YAML::Node& value, const std::string& where) {
+  const Status set = setParameter(parameters, key, value.as<std::string>());
+  if (set.ok()) return set;
+  Error error = set.error();
+  error.kind = ErrorKind::input;
+  error.where = where + ", " + error.where;
+  return error;
+}
+
 }  // namespace
 
 Status setParameter(Parameters& parameters, const std::string& key, const std::string& value) {
@@ -108,15 +118,14 @@ Status loadParameters(Parameters& parameters, const std::filesystem::path& file)
       const auto name = group.first.as<std::string>();
       // What parametersYaml adds for the record.
       if (name == "method") continue;
+      if (group.second.IsScalar()) {
+        if (const Status set = setInFile(parameters, name, group.second, where); !set.ok()) return set;
+        continue;
+      }
       if (!group.second.IsMap()) return inputError("group '" + name + "' is not a map", where, known(parameters, name));
       for (const auto& entry : group.second) {
-        const Status set = setParameter(parameters, name + "." + entry.first.as<std::string>(), entry.second.as<std::string>());
-        if (!set.ok()) {
-          Error error = set.error();
-          error.kind = ErrorKind::input;
-          error.where = where + ", " + error.where;
-          return error;
-        }
+        const std::string key = name + "." + entry.first.as<std::string>();
+        if (const Status set = setInFile(parameters, key, entry.second, where); !set.ok()) return set;
       }
     }
   } catch (const YAML::BadFile&) {
@@ -132,6 +141,11 @@ std::string parametersYaml(const Parameters& parameters, const std::string& meth
   std::string group;
   for (const ParameterView& view : listParameters(parameters)) {
     const auto dot = view.key.find('.');
+    if (dot == std::string::npos) {
+      text += fmt::format("{}: {}\n", view.key, view.value);
+      group.clear();
+      continue;
+    }
     if (view.key.substr(0, dot) != group) {
       group = view.key.substr(0, dot);
       text += group + ":\n";

@@ -47,6 +47,7 @@ SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, cons
   v.keyframe_id = keyframe.id;
   v.type = FeatureType::segment;
   v.status = seed.status;
+  v.ending = seed.ending;
   v.outcome = seed.outcome;
   v.level = static_cast<std::uint8_t>(seed.anchor.level);
   v.px_ref = seed.anchor.px[0].cast<float>();
@@ -58,7 +59,8 @@ SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, cons
   v.sigma_end = static_cast<float>(sigma(1));
   v.a = static_cast<float>(seed.belief[0].a);
   v.b = static_cast<float>(seed.belief[0].b);
-  v.kl = {v.mu, v.sigma, v.a, v.b};
+  const bool js = tracker.parameters().mapping.filter.rule == FilterRule::js;
+  (js ? v.js : v.kl) = {v.mu, v.sigma, v.a, v.b};
   v.range = static_cast<float>(seed.range);
   v.updates = seed.updates;
   v.failures = seed.failures;

@@ -44,26 +44,35 @@ FeatureView trackView(const InitializerTrack& t) {
   return v;
 }
 
-SeedView seedView(const Seed& seed, const Keyframe& keyframe, const Tracker& tracker, const SE3& T_world_kf,
-                  const cv::Mat& depth) {
+/// What a seed is and believes, without where that is.
+SeedView seedState(const Seed& seed, FilterRule rule) {
   SeedView v;
   v.id = seed.id;
-  v.keyframe_id = keyframe.id;
+  v.keyframe_id = seed.keyframe_id;
   v.type = seed.anchor.type;
   v.status = seed.status;
+  v.ending = seed.ending;
   v.outcome = seed.outcome;
   v.level = static_cast<std::uint8_t>(seed.anchor.level);
   v.px_ref = seed.anchor.px.cast<float>();
-  const double mu = seed.belief.mu, sigma = std::sqrt(seed.belief.sigma2);
-  v.mu = static_cast<float>(mu);
-  v.sigma = static_cast<float>(sigma);
+  v.direction = static_cast<float>(std::atan2(seed.anchor.gradient_dir.y(), seed.anchor.gradient_dir.x()));
+  v.mu = static_cast<float>(seed.belief.mu);
+  v.sigma = static_cast<float>(std::sqrt(seed.belief.sigma2));
   v.a = static_cast<float>(seed.belief.a);
   v.b = static_cast<float>(seed.belief.b);
+  v.kl = beliefView(seed, FilterRule::kl, rule);
+  v.js = beliefView(seed, FilterRule::js, rule);
   v.range = static_cast<float>(seed.range);
   v.updates = seed.updates;
   v.failures = seed.failures;
   v.last_x = static_cast<float>(seed.last_x);
   v.last_tau = static_cast<float>(seed.last_tau);
+  return v;
+}
+
+SeedView seedView(const Seed& seed, const Tracker& tracker, const SE3& T_world_kf, const cv::Mat& depth) {
+  SeedView v = seedState(seed, tracker.parameters().mapping.filter.rule);
+  const double mu = seed.belief.mu, sigma = std::sqrt(seed.belief.sigma2);
   const double n = tracker.parameters().mapping.search.search_sigmas;
   const double z[3] = {mu, mu + n * sigma, std::max(mu - n * sigma, 0.05 * mu)};
   const Pinhole& camera = tracker.map().camera;
@@ -116,16 +125,21 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
     if (keyframe.seeds.empty() && keyframe.segment_seeds.empty()) continue;
     const SE3 T_world_kf = keyframe.T_cam_world.inverse();
     const cv::Mat& depth = depthOf(keyframe);
-    for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, keyframe, tracker, T_world_kf, depth));
+    for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, tracker, T_world_kf, depth));
     for (const SegmentSeed& seed : keyframe.segment_seeds) views->push_back(segmentSeedView(seed, keyframe, tracker, depth));
   }
+  for (const OrphanSeed& orphan : tracker.map().orphans)
+    views->push_back(seedView(orphan.seed, tracker, orphan.T_cam_world.inverse(), cv::Mat()));
   return views;
 }
 
 std::shared_ptr<const std::vector<KeyframeView>> SnapshotBuilder::keyframeViews(const Tracker& tracker) {
   auto views = std::make_shared<std::vector<KeyframeView>>();
+  for (const RetiredKeyframe& k : tracker.map().retired)
+    views->push_back({k.id, k.frame_index, k.T_world_cam, nullptr, false});
   for (const auto& [id, keyframe] : tracker.map().keyframes)
-    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid});
+    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid, true});
+  std::sort(views->begin(), views->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return views;
 }
 
@@ -147,7 +161,19 @@ std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(con
   return views;
 }
 
-std::shared_ptr<Snapshot> SnapshotBuilder::build(const Tracker& tracker) {
+std::shared_ptr<Snapshot> SnapshotBuilder::buildEmpty() {
+  auto s = std::make_shared<Snapshot>();
+  s->sequence_number = ++sequence_number_;
+  s->bytes = sizeof(Snapshot);
+  return s;
+}
+
+std::shared_ptr<const MappingParameters> SnapshotBuilder::mappingOf(const Tracker& tracker) {
+  if (!mapping_) mapping_ = std::make_shared<const MappingParameters>(tracker.parameters().mapping);
+  return mapping_;
+}
+
+std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   auto s = std::make_shared<Snapshot>();
   s->sequence_number = ++sequence_number_;
   s->record = tracker.record();
@@ -162,9 +188,12 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(const Tracker& tracker) {
     for (const InitializerTrack& t : tracker.startOutput().tracks) s->features.push_back(trackView(t));
   }
   s->seeds = seedViews(tracker);
-  s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) + s->seeds->size() * sizeof(SeedView);
+  s->seed_updates = std::make_shared<const std::vector<SeedUpdateView>>(tracker.takeSeedUpdates());
+  s->mapping = mappingOf(tracker);
+  s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) + s->seeds->size() * sizeof(SeedView) +
+             s->seed_updates->size() * sizeof(SeedUpdateView);
   // Poses and points move a little in every frame; shown anew when the map gained or lost keyframes.
-  const std::size_t count = tracker.map().keyframes.size();
+  const std::size_t count = tracker.map().keyframes.size() + tracker.map().retired.size();
   if (!keyframes_ || tracker.record().is_keyframe || keyframes_->size() != count) {
     keyframes_ = keyframeViews(tracker);
     points_ = pointViews(tracker);

@@ -18,13 +18,19 @@ class SnapshotBuilder {
 
   explicit SnapshotBuilder(DepthReader depth) : read_depth_(std::move(depth)) {}
 
-  std::shared_ptr<Snapshot> build(const Tracker& tracker);
+  /// Of a frame that could not be read: numbered in turn, nothing in it.
+  std::shared_ptr<Snapshot> buildEmpty();
+  /// Takes the seed updates kept by the tracker.
+  std::shared_ptr<Snapshot> build(Tracker& tracker);
   void reset();
+  /// The next snapshot gets a new copy of the parameters.
+  void parametersChanged() { mapping_.reset(); }
 
  private:
   std::shared_ptr<const std::vector<SeedView>> seedViews(const Tracker& tracker);
   std::shared_ptr<const std::vector<KeyframeView>> keyframeViews(const Tracker& tracker);
   std::shared_ptr<const std::vector<MapPointView>> pointViews(const Tracker& tracker);
+  std::shared_ptr<const MappingParameters> mappingOf(const Tracker& tracker);
   const cv::Mat& depthOf(const Keyframe& keyframe);
 
   DepthReader read_depth_;
@@ -32,6 +38,7 @@ class SnapshotBuilder {
   std::map<int, cv::Mat> depths_;  ///< by keyframe id
   std::shared_ptr<const std::vector<KeyframeView>> keyframes_;
   std::shared_ptr<const std::vector<MapPointView>> points_;
+  std::shared_ptr<const MappingParameters> mapping_;
 };
 
 }  // namespace svoscope

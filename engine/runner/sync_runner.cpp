@@ -14,7 +14,9 @@ bool isStart(const std::vector<Event>& events) {
 SyncRunner::SyncRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& o)
     : engine_(std::move(sequence), o.parameters, o.start, o.max_frames, o.method),
       log_(o.history_budget),
-      publish_(o.publish_snapshots) {}
+      publish_(o.publish_snapshots) {
+  engine_.setInspected(publish_);
+}
 
 void SyncRunner::handle(const Command& command) {
   playback_.handle(command);

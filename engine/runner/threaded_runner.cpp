@@ -20,6 +20,8 @@ ThreadedRunner::ThreadedRunner(std::unique_ptr<Sequence> sequence, const RunnerO
       info_(engine_.info()),
       log_(o.history_budget),
       publish_(o.publish_snapshots) {
+  engine_.setTimed(true);
+  engine_.setInspected(publish_);
   parameter_views_ = listParameters(engine_.parameters());
   publishStatus();
   tracking_ = std::thread([this] { trackingLoop(); });
@@ -54,7 +56,7 @@ RunnerStatus ThreadedRunner::status() const {
     // A command not yet looked at counts as playing: who waits for the end must not miss it.
     status.playing = status.playing || !commands_.empty();
   }
-  status.mapping_queue = jobs_open_;
+  status.mapping_queue = static_cast<int>(tasks_.size());
   log_.describe(status);
   return status;
 }
@@ -125,7 +127,6 @@ void ThreadedRunner::processFrame() {
   }
   applyAnswers();
   engine_.refreshRecord();
-  jobs_open_ = static_cast<int>(tasks_.size());
   playback_.processed(engine_.record(), isStart(engine_.events()));
   if (publish_ || engine_.finished() || !playback_.wantsFrame()) log_.addSnapshot(engine_.snapshot());
   log_.addRecord(engine_.record());

@@ -3,7 +3,6 @@
 // the outside sees only the run log. The destructor stops and joins both.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -71,7 +70,6 @@ class ThreadedRunner : public Runner {
   RunnerStatus status_;
   std::vector<ParameterView> parameter_views_;
 
-  std::atomic<int> jobs_open_{0};
   double frame_ms_ = 0;     ///< tracking thread only
   std::chrono::steady_clock::time_point next_frame_time_{};
   std::thread tracking_, mapping_;

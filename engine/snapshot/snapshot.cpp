@@ -16,6 +16,19 @@ const char* searchOutcomeName(SearchOutcome outcome) {
   return "unknown";
 }
 
+const char* seedEndingName(SeedEnding ending) {
+  switch (ending) {
+    case SeedEnding::none: return "alive";
+    case SeedEnding::inlier_ratio: return "inlier ratio below the floor";
+    case SeedEnding::no_depth: return "mean not in front of the camera";
+    case SeedEnding::not_finite: return "belief not finite";
+    case SeedEnding::keyframe_removed: return "keyframe removed";
+    case SeedEnding::out_of_sight: return "keyframe long out of sight";
+    case SeedEnding::promoted: return "became a landmark";
+  }
+  return "unknown";
+}
+
 const char* seedStatusName(SeedStatus status) {
   switch (status) {
     case SeedStatus::active: return "active";

@@ -54,10 +54,22 @@ enum class SearchOutcome : std::uint8_t {
   edge_parallel,    ///< gradient nearly perpendicular to the epipolar line
   tracked,          ///< measured by the tracker itself
 };
+/// Why a seed is no longer measured.
+enum class SeedEnding : std::uint8_t {
+  none,              ///< it lives
+  inlier_ratio,      ///< a / (a + b) fell below the floor
+  no_depth,          ///< its mean is at or behind infinity
+  not_finite,        ///< its belief is not a number
+  keyframe_removed,  ///< its keyframe left the map
+  out_of_sight,      ///< its keyframe was not seen for long
+  promoted,          ///< it became a landmark
+};
+const char* seedEndingName(SeedEnding ending);
 const char* searchOutcomeName(SearchOutcome outcome);
 const char* seedStatusName(SeedStatus status);
 
-/// The state of one rule of the depth filter. Inverse distance in 1/map unit.
+/// The state of one rule of the depth filter. Inverse distance in 1/map unit. sigma == 0: this rule was
+/// not computed (shadow filter off).
 struct BeliefView {
   float mu = 0, sigma = 0;
   float a = 10, b = 10;
@@ -67,7 +79,7 @@ struct BeliefView {
 struct SeedUpdateView {
   std::int64_t seed_id = -1;
   int keyframe_id = -1;
-  int frame_index = -1;           ///< frame that was searched
+  int frame_index = -1;           ///< frame that was searched; older than its keyframe for new seeds
   SearchOutcome outcome = SearchOutcome::none;
   Vec2f px = Vec2f::Zero();       ///< match in that frame, level 0; if matched or tracked
   float score = 0;                ///< zero-mean SSD per pixel of the best sample; 0: no scan
@@ -86,8 +98,10 @@ struct SeedView {
   int keyframe_id = -1;
   FeatureType type = FeatureType::corner;
   SeedStatus status = SeedStatus::active;
+  SeedEnding ending = SeedEnding::none;  ///< shown once, in the frame in which it ended
   SearchOutcome outcome = SearchOutcome::none;
   std::uint8_t level = 0;
+  float direction = 0;            ///< edgelets: angle of the gradient in the reference, radians
   Vec2f px_ref = Vec2f::Zero();   ///< in its reference keyframe
   float mu = 0, sigma = 0;        ///< of the rule in use: inverse distance, 1/map unit
   float a = 10, b = 10;           ///< Beta parameters of the inlier ratio
@@ -108,11 +122,14 @@ struct SeedView {
   float true_inv_distance = 0;    ///< from the sequence's depth, metres; 0 if unknown
 };
 
+struct MappingParameters;
+
 struct KeyframeView {
   int id = -1;
   int frame_index = -1;
   SE3 T_world_cam;
   std::shared_ptr<const std::vector<cv::Mat>> pyramid;  ///< rectified, CV_8UC1; shared with its frame
+  bool in_map = true;   ///< false: removed from the map since, the pose is its last
 };
 
 struct MapPointView {
@@ -143,6 +160,8 @@ struct Snapshot {
   std::shared_ptr<const std::vector<SeedView>> seeds;
   /// Measurements applied to seeds since the snapshot before.
   std::shared_ptr<const std::vector<SeedUpdateView>> seed_updates;
+  /// What searches and filters of this frame ran with; explainSearch() takes it. May be null.
+  std::shared_ptr<const MappingParameters> mapping;
   std::shared_ptr<const std::vector<KeyframeView>> keyframes;  ///< poses as of this frame
   std::shared_ptr<const std::vector<MapPointView>> points;
   std::vector<Event> events;          ///< of this frame

@@ -16,7 +16,7 @@ struct KeyframeParameters {
   double min_displacement_px = 40; ///< median displacement of shared landmarks, px at 640 px width
   double min_angle_deg = 20;       ///< or at least this rotation ...
   double min_distance = 0.1;       ///< ... or this translation over median depth, to every local keyframe
-  int max_keyframes = 30;          ///< in the map; beyond, the farthest is removed
+  int max_keyframes = 60;          ///< in the map; beyond, the farthest is removed
 };
 
 /// What the decision looks at.

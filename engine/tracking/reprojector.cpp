@@ -184,12 +184,13 @@ class Reprojection {
     const EpipolarMatch match = searchEpipolar(q, mapping_.search, mapping_.alignment);
     // The depth after this measurement: along the line it already agrees with the match.
     Seed updated = seed;
+    updated.has_shadow = false;
     if (match.outcome == SearchOutcome::matched)
       applyMeasurement(updated, {seed.id, keyframe.id, frame_.index, SearchOutcome::tracked, match.inv_distance, match.tau},
                        mapping_.filter);
     const bool ok = match.outcome == SearchOutcome::matched && updated.belief.mu > 0;
     out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id, keyframe.id,
-                                 ok ? SearchOutcome::tracked : match.outcome});
+                                 ok ? SearchOutcome::tracked : match.outcome, match.score});
     if (!ok) return false;
     f.anchor.type = seed.anchor.type;
     f.anchor.level = match.level;

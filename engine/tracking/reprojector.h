@@ -27,6 +27,7 @@ struct TrackedSeedMatch {
   std::int64_t seed_id = -1;
   int keyframe_id = -1;
   SearchOutcome outcome = SearchOutcome::none;
+  double score = 0;                 ///< of the epipolar search; 0: no scan
 };
 
 struct ReprojectionResult {

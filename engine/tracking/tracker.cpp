@@ -52,6 +52,7 @@ void Tracker::reset() {
   T_velocity_ = T_last_good_ = SE3();
   job_.reset();
   local_keyframes_.clear();
+  seed_updates_.clear();
   lost_frames_ = 0;
   last_keyframe_frame_ = latest_keyframe_ = -1;
 }
@@ -234,8 +235,13 @@ void Tracker::relocalize() {
   if (fresh && lost_frames_ > parameters_.quality.reset_lost_frames) {
     event(EventKind::reset, "the young map was given up, starting again");
     const Frame current = frame_;
+    const std::int64_t next_id = map_.next_id;
+    const int next_keyframe_id = map_.next_keyframe_id;
     reset();
     frame_ = current;
+    // Mapping answers on their way, and what is kept by keyframe, still speak of the old map.
+    map_.next_id = next_id;
+    map_.next_keyframe_id = next_keyframe_id;
     initialize();
     return;
   }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/mapping/seed_update.h"
@@ -48,6 +49,8 @@ class Tracker {
   /// Registers the next frame. `gray` is rectified, CV_8UC1, and is kept: the caller must not write it.
   const FrameRecord& process(int index, double timestamp, const cv::Mat& gray);
 
+  /// Local bundle adjustment may be cut off by the clock (threads); a synchronous run never is.
+  void setTimed(bool timed) { timed_ = timed; }
   /// Work for the mapping thread caused by the last frame, if any.
   std::optional<MappingJob> takeMappingJob();
   /// Applies what the mapping thread found, also for an older frame.
@@ -66,6 +69,12 @@ class Tracker {
   const std::vector<TrackedSegment>& failedSegments() const { return failed_segments_; }
   const std::vector<Event>& events() const { return events_; }
   const InitializerOutput& startOutput() const { return start_output_; }
+
+  /// On: both rules of the depth filter run, and every update of a seed is kept until taken. Off by
+  /// default: nobody looks.
+  void setInspected(bool on) { inspected_ = on; }
+  /// Updates applied since the last call.
+  std::vector<SeedUpdateView> takeSeedUpdates() { return std::exchange(seed_updates_, {}); }
 
  private:
   struct Attempt;  ///< one try to register the frame from a predicted pose (tracker_attempt.h)
@@ -89,7 +98,9 @@ class Tracker {
   void requestSeeds(const Keyframe& keyframe);
   void requestMeasurements();
   void limitKeyframes();
+  void applyAdjustment(const AdjustmentResult& adjustment);
   void dropEndedSeeds();
+  bool measureSeed(Seed& seed, const SeedMeasurement& m);
   Seed* findSeed(int keyframe_id, std::int64_t id);
 
   // Segments (tracker_segments.cpp).
@@ -102,6 +113,7 @@ class Tracker {
   void applySegmentMapping(const MappingResult& result);
   void dropEndedSegmentSeeds();
   void disownSegments(int keyframe_id);
+  void moveSegments(const std::map<int, SE3>& moved);
   SegmentSeed* findSegmentSeed(int keyframe_id, std::int64_t id);
 
   void event(EventKind kind, std::string text);
@@ -122,8 +134,11 @@ class Tracker {
   OccupancyGrid occupied_;
   std::optional<MappingJob> job_;
   std::vector<std::int64_t> measured_seeds_;   ///< by the tracker in this frame, sorted
+  std::vector<SeedUpdateView> seed_updates_;
+  bool inspected_ = false;
   int last_keyframe_frame_ = -1, lost_frames_ = 0;
   int latest_keyframe_ = -1;
+  bool timed_ = false;
 };
 
 /// Median and 5 % quantile of the depth (z) of the frame's inliers; false if there are none.

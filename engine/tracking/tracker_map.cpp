@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostJobSeeds = 800;
 constexpr std::size_t kOlderViews = 3;
+constexpr int kSeedMemoryFrames = 60;
 constexpr double kDegree = M_PI / 180.0;
 
 double quantile(std::vector<double> values, double q) {
@@ -47,10 +48,17 @@ Seed* Tracker::findSeed(int keyframe_id, std::int64_t id) {
   return it != seeds.end() && it->id == id ? &*it : nullptr;
 }
 
-/// Ended seeds stay for one frame, so that its snapshot shows how they ended.
+/// Ended seeds stay for one frame, so that its snapshot shows how they ended. Keyframes long out of
+/// sight lose theirs: the cost of a frame must not grow with the path.
 void Tracker::dropEndedSeeds() {
+  for (const int id : local_keyframes_) {
+    if (Keyframe* keyframe = map_.findKeyframe(id)) keyframe->last_local_frame = frame_.index;
+  }
+  map_.orphans.clear();
   for (auto& [id, keyframe] : map_.keyframes) {
     auto& seeds = keyframe.seeds;
+    if (frame_.index - std::max(keyframe.last_local_frame, keyframe.frame_index) > kSeedMemoryFrames)
+      map_.endSeeds(keyframe, SeedEnding::out_of_sight);
     seeds.erase(std::remove_if(seeds.begin(), seeds.end(),
                                [](const Seed& s) {
                                  return s.status == SeedStatus::rejected || s.status == SeedStatus::promoted;
@@ -61,15 +69,32 @@ void Tracker::dropEndedSeeds() {
   dropEndedSegmentSeeds();
 }
 
+/// Applies a measurement; true if the seed converged by it.
+bool Tracker::measureSeed(Seed& seed, const SeedMeasurement& m) {
+  const SeedStatus status = seed.status;
+  DepthFilterParameters filter = parameters_.mapping.filter;
+  filter.shadow = filter.shadow && inspected_;
+  if (inspected_) {
+    const Seed before = seed;
+    applyMeasurement(seed, m, filter);
+    seed_updates_.push_back(describeUpdate(before, seed, m, filter.rule));
+  } else {
+    applyMeasurement(seed, m, filter);
+  }
+  return seed.status == SeedStatus::converged && status == SeedStatus::active;
+}
+
 /// Measurements made by the tracker enter the filter with the final pose.
 void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
   for (const TrackedSeedMatch& match : matches) {
     Seed* seed = findSeed(match.keyframe_id, match.seed_id);
     if (!seed) continue;
     measured_seeds_.push_back(match.seed_id);
-    SeedMeasurement m{match.seed_id, match.keyframe_id, frame_.index, match.outcome, 0, 0};
+    SeedMeasurement m{match.seed_id, match.keyframe_id, frame_.index, match.outcome};
+    m.score = match.score;
     TrackedFeature* feature = match.feature < 0 ? nullptr : &frame_.features[static_cast<std::size_t>(match.feature)];
     if (feature) {
+      m.px = feature->anchor.px;
       const Keyframe& keyframe = *map_.findKeyframe(match.keyframe_id);
       const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
       m.x = triangulateInverseDistance(map_.camera, T_cur_ref, seed->anchor.f, feature->anchor.px);
@@ -77,10 +102,8 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
                                    parameters_.mapping.search.pixel_noise, map_.camera.focal());
       if (feature->status != FeatureStatus::inlier || !(m.x > 0)) m.outcome = SearchOutcome::no_match;
     }
-    const SeedStatus before = seed->status;
-    applyMeasurement(*seed, m, parameters_.mapping.filter);
+    record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::tracked;
-    record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
     if (feature) feature->p_world = seedPoint(*seed, *map_.findKeyframe(match.keyframe_id));
     if (feature && seed->status == SeedStatus::rejected) feature->status = FeatureStatus::outlier;
@@ -138,6 +161,7 @@ void Tracker::promoteFeature(TrackedFeature& f, Keyframe& keyframe) {
   Seed* seed = findSeed(f.keyframe_id, f.id);
   if (!seed) return;
   seed->status = SeedStatus::promoted;
+  seed->ending = SeedEnding::promoted;
   Landmark& landmark = map_.addLandmark(f.p_world, f.anchor.type);
   landmark.sigma = std::sqrt(seed->belief.sigma2);
   landmark.score = seed->score;
@@ -170,6 +194,9 @@ void Tracker::insertKeyframe(const std::string& reason) {
   event(EventKind::keyframe, fmt::format("keyframe {}: {}", id, reason));
   limitKeyframes();
   requestSeeds(keyframe);
+  if (!parameters_.mapping.local_ba.enabled) return;
+  job_->adjustment = localProblem(map_, id, parameters_.mapping.local_ba);
+  job_->adjustment.timed = timed_;
 }
 
 void Tracker::limitKeyframes() {
@@ -202,11 +229,11 @@ void Tracker::requestSeeds(const Keyframe& keyframe) {
   job_->new_seeds.occupied = occupied_;
   job_->new_seeds.median_depth = keyframe.median_depth;
   job_->new_seeds.min_depth = keyframe.min_depth;
-  if (last_.pyramid) job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world});
+  if (last_.pyramid) job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world, last_.index});
   for (const int id : local_keyframes_) {
     if (job_->older_views.size() >= kOlderViews) break;
     const Keyframe& k = *map_.findKeyframe(id);
-    if (id != keyframe.id && k.frame_index != last_.index) job_->older_views.push_back({id, k.pyramid, k.T_cam_world});
+    if (id != keyframe.id && k.frame_index != last_.index) job_->older_views.push_back({id, k.pyramid, k.T_cam_world, k.frame_index});
   }
 }
 
@@ -221,7 +248,7 @@ void Tracker::requestMeasurements() {
     const Keyframe* keyframe = map_.findKeyframe(id);
     if (!keyframe || keyframe->frame_index == frame_.index) continue;
     const int slot = static_cast<int>(job_->keyframes.size());
-    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world});
+    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index});
     for (const Seed& seed : keyframe->seeds) {
       if (seed.status != SeedStatus::active && seed.status != SeedStatus::converged) continue;
       if (job_->seeds.size() >= kMostJobSeeds) return;
@@ -244,12 +271,12 @@ void Tracker::applyMapping(const MappingResult& result) {
   for (const SeedMeasurement& m : result.measurements) {
     Seed* seed = findSeed(m.keyframe_id, m.seed_id);
     if (!seed || seed->status == SeedStatus::rejected || seed->status == SeedStatus::promoted) continue;
-    const SeedStatus before = seed->status;
-    applyMeasurement(*seed, m, parameters_.mapping.filter);
+    record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::matched;
-    record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
+  applyAdjustment(result.adjustment);
+  applySegmentMapping(result);
   Keyframe* keyframe = map_.findKeyframe(result.keyframe_id);
   if (!keyframe) return;
   for (const NewSeed& fresh : result.new_seeds) {
@@ -257,13 +284,45 @@ void Tracker::applyMapping(const MappingResult& result) {
     seed.id = map_.next_id++;
     seed.keyframe_id = keyframe->id;
     for (const SeedMeasurement& m : fresh.measurements) {
-      applyMeasurement(seed, m, parameters_.mapping.filter);
+      measureSeed(seed, m);
       ++record_.seed_updates;
     }
     keyframe->seeds.push_back(seed);
   }
-  applySegmentMapping(result);
   record_.seeds = map_.seedCount();
+}
+
+/// Takes over refined poses and points. The current frame moves along with the newest keyframe of
+/// the window, so that frame and map stay consistent.
+void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
+  if (!adjustment.ok) return;
+  SE3 correction;   // old world to new world, near the newest keyframe
+  std::map<int, SE3> moved;
+  for (const AdjustmentKeyframe& k : adjustment.keyframes) {
+    Keyframe* keyframe = map_.findKeyframe(k.id);
+    if (!keyframe || k.fixed) continue;
+    correction = k.T_cam_world.inverse() * keyframe->T_cam_world;
+    keyframe->T_cam_world = k.T_cam_world;
+    moved[k.id] = correction;
+  }
+  moveSegments(moved);
+  for (const AdjustmentPoint& p : adjustment.points) {
+    if (Landmark* landmark = map_.find(p.id)) landmark->p_world = p.p_world;
+  }
+  for (const AdjustmentResult::Outlier& o : adjustment.outliers) map_.removeObservation(o.landmark_id, o.keyframe_id);
+  const SE3 undo = correction.inverse();
+  frame_.T_cam_world = frame_.T_cam_world * undo;
+  T_last_good_ = T_last_good_ * undo;
+  for (TrackedFeature& f : frame_.features) {
+    if (f.origin == FeatureOrigin::landmark) {
+      const Landmark* landmark = map_.find(f.id);
+      if (landmark) f.p_world = landmark->p_world;
+      else f.p_world = correction * f.p_world;
+    } else if (const Seed* seed = findSeed(f.keyframe_id, f.id)) {
+      f.p_world = seedPoint(*seed, *map_.findKeyframe(f.keyframe_id));
+    }
+  }
+  record_.T_world_cam = frame_.T_cam_world.inverse();
 }
 
 /// The world is the reference camera of the start, in units of its median depth.

@@ -97,6 +97,7 @@ void Tracker::promoteSegments(Keyframe& keyframe) {
         seed->belief[0].inlierRatio() < parameters_.mapping.filter.min_inlier_ratio)
       continue;
     seed->status = SeedStatus::promoted;
+    seed->ending = SeedEnding::promoted;
     SegmentLandmark landmark;
     landmark.id = map_.next_id++;
     for (int i = 0; i < 2; ++i) {
@@ -144,7 +145,7 @@ void Tracker::requestSegmentMeasurements() {
     if (!keyframe || keyframe->frame_index == frame_.index || keyframe->segment_seeds.empty()) continue;
     auto& keyframes = job_->keyframes;
     auto slot = std::find_if(keyframes.begin(), keyframes.end(), [id](const JobKeyframe& k) { return k.id == id; });
-    if (slot == keyframes.end()) slot = keyframes.insert(slot, {id, keyframe->pyramid, keyframe->T_cam_world});
+    if (slot == keyframes.end()) slot = keyframes.insert(slot, {id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index});
     for (const SegmentSeed& seed : keyframe->segment_seeds) {
       if (!alive(seed) || std::find(measured.begin(), measured.end(), seed.id) != measured.end()) continue;
       if (static_cast<int>(job_->segments.seeds.size()) >= p.max_job_seeds) return;
@@ -186,6 +187,29 @@ void Tracker::dropEndedSegmentSeeds() {
     auto& seeds = keyframe.segment_seeds;
     seeds.erase(std::remove_if(seeds.begin(), seeds.end(), [](const SegmentSeed& s) { return !alive(s); }), seeds.end());
     for (SegmentSeed& seed : seeds) seed.outcome = SearchOutcome::none;
+  }
+}
+
+/// Keyframes were adjusted by old world to new world: a segment follows its first view, and the lines
+/// of the others then settle it.
+void Tracker::moveSegments(const std::map<int, SE3>& moved) {
+  for (auto& [id, segment] : map_.segments) {
+    const auto first = moved.find(segment.views.front().keyframe_id);
+    bool touched = first != moved.end();
+    if (touched) {
+      for (Vec3& p : segment.p_world) p = first->second * p;
+    }
+    for (const SegmentView& view : segment.views) touched = touched || moved.count(view.keyframe_id);
+    if (touched)
+      refineSegment(segment, map_, parameters_.mapping.segments.line_noise_px, parameters_.quality.structure_iterations);
+  }
+  for (TrackedSegment& s : frame_.segments) {
+    const auto it = map_.segments.find(s.id);
+    if (s.origin == FeatureOrigin::landmark && it != map_.segments.end()) {
+      for (int i = 0; i < 2; ++i) s.p_world[i] = it->second.p_world[i];
+    } else if (const SegmentSeed* seed = findSegmentSeed(s.keyframe_id, s.id)) {
+      setSeedPose(*seed, *map_.findKeyframe(s.keyframe_id), s);
+    }
   }
 }
 

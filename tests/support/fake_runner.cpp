@@ -255,7 +255,7 @@ void FakeRunner::fillMap(Snapshot& s) const {
       points->push_back(p);
     }
     for (int f = options_.start, id = 0; f <= s.record.index; f += 9, ++id) {
-      if (stateOf(f) == TrackingState::tracking) keyframes->push_back({id, f, estimate(f)});
+      if (stateOf(f) == TrackingState::tracking) keyframes->push_back({id, f, estimate(f), nullptr, true});
     }
   }
   s.record.landmarks = static_cast<int>(points->size());

@@ -77,9 +77,9 @@ void drawEvaluationPanel(PanelContext& c) {
         "How the estimate is brought to the ground truth; one camera alone cannot know the scale, so Sim(3)");
   const TruthState& s = c.caches.truth.state();
   if (!s.valid) {
-    return emptyState("No error yet", format("Needs three poses with ground truth, has %d", s.matched));
+    return emptyState("No error yet", s.problem.empty() ? std::string("Needs three poses with ground truth") : s.problem);
   }
-  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 34;
+  const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 40;
   if (wide && ImGui::BeginTable("##columns", 2)) {
     ImGui::TableNextColumn();
     errorRows(s);

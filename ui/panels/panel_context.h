@@ -2,9 +2,16 @@
 // What a panel sees: one snapshot for the whole UI frame, the run so far, and the user's state.
 #pragma once
 
+#include <tuple>
+
 #include "engine/runner/runner.h"
 #include "ui/panels/run_cache.h"
 #include "ui/panels/scene_content.h"
+#include "ui/panels/divergence_view.h"
+#include "ui/panels/filter_stats.h"
+#include "ui/panels/lab_view.h"
+#include "ui/panels/search_cache.h"
+#include "ui/panels/seed_trace.h"
 #include "ui/panels/selection_history.h"
 #include "ui/panels/trails.h"
 #include "ui/panels/truth.h"
@@ -20,6 +27,13 @@ struct PanelCaches {
   SelectionHistory selection;
   Trails trails;
   SceneContent scene;
+  SeedTraces traces;
+  SearchCache search;
+  FilterStats filter;
+  DivergenceView divergence;
+  LabWorker lab;
+  std::tuple<int, double, double, double, double, std::uint64_t> lab_key;  ///< what the worker was started with
+  SeparationCurves separation;
 };
 
 struct PanelContext {
@@ -54,6 +68,10 @@ struct PanelContext {
 void drawTransportPanel(PanelContext& context);
 void drawImagePanel(PanelContext& context);
 void drawScenePanel(PanelContext& context);
+void drawSeedPanel(PanelContext& context);
+void drawEpipolarPanel(PanelContext& context);
+void drawDivergencePanel(PanelContext& context);
+void drawLabPanel(PanelContext& context);
 void drawSelectionPanel(PanelContext& context);
 void drawPlotsPanel(PanelContext& context);
 void drawTimingPanel(PanelContext& context);

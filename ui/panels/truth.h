@@ -15,6 +15,7 @@ const char* alignModeName(AlignMode mode);
 
 struct TruthState {
   bool valid = false;          ///< at least three poses matched
+  std::string problem;         ///< why there is no result, if not
   AlignMode mode = AlignMode::sim3;
   int matched = 0;             ///< poses with ground truth
   double scale = 1;            ///< metres per map unit

@@ -192,7 +192,9 @@ void valueRow(const char* name, const std::string& value, ImU32 color) {
   ImGui::TextUnformatted(name);
   ImGui::PopStyleColor();
   const float column = start + ImGui::GetFontSize() * 9.5f;
-  ImGui::SameLine(std::max(column, start + ImGui::GetItemRectSize().x + grid(2)));
+  const float value_x = std::max(column, start + ImGui::GetItemRectSize().x + grid(2));
+  ImGui::SameLine(0, 0);
+  ImGui::SetCursorPosX(value_x);  // unlike SameLine(x), right in table columns, too
   if (color) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(value.c_str());
@@ -204,7 +206,7 @@ void heading(const char* text) {
   ImGui::Dummy({0, grid(0.5f)});
   ImGui::TextUnformatted(text);
   const ImVec2 at = ImGui::GetItemRectMax();
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
   const float y = std::round((ImGui::GetItemRectMin().y + at.y) / 2);
   if (right > at.x + grid(2)) {
     ImGui::GetWindowDrawList()->AddLine({at.x + grid(2), y}, {right, y}, ink::line);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Local bundle adjustment: poses and landmarks of the keyframes around the newest one, jointly, with
+// robust reprojection errors (Ceres, Schur complement). Pure: values in, values out.
+#pragma once
+
+#include <vector>
+
+#include "engine/mapping/map.h"
+
+namespace svoscope {
+
+struct LocalAdjustmentParameters {
+  bool enabled = true;
+  int keyframes = 8;            ///< optimised besides the newest, those that share most landmarks
+  int fixed_keyframes = 8;      ///< held, others that see the same landmarks
+  int max_iterations = 8;
+  double robust_px = 0.7;       ///< scale of the Huber loss, px, times 2^level
+  double edgelet_sigma = 2;     ///< noise of an edgelet relative to a corner
+  double outlier_px = 3;        ///< observations above are removed, px, times 2^level
+  double max_time_ms = 80;      ///< time box; not in synchronous runs, which must repeat
+};
+
+struct AdjustmentKeyframe {
+  int id = -1;
+  SE3 T_cam_world;
+  bool fixed = false;
+};
+
+struct AdjustmentPoint {
+  std::int64_t id = -1;
+  Vec3 p_world = Vec3::Zero();
+};
+
+struct AdjustmentObservation {
+  int keyframe = 0, point = 0;  ///< indices
+  Vec2 px = Vec2::Zero();       ///< level 0
+  int level = 0;
+  FeatureType type = FeatureType::corner;
+  Vec2 gradient_dir = Vec2::Zero();
+};
+
+struct AdjustmentProblem {
+  Pinhole camera;
+  std::vector<AdjustmentKeyframe> keyframes;   ///< by id
+  std::vector<AdjustmentPoint> points;
+  std::vector<AdjustmentObservation> observations;
+  bool timed = false;                          ///< apply max_time_ms
+
+  bool empty() const { return observations.empty(); }
+};
+
+struct AdjustmentResult {
+  bool ok = false;
+  std::vector<AdjustmentKeyframe> keyframes;   ///< as in the problem, poses refined
+  std::vector<AdjustmentPoint> points;
+  struct Outlier {
+    std::int64_t landmark_id = -1;
+    int keyframe_id = -1;
+  };
+  std::vector<Outlier> outliers;
+  double initial_px = 0, final_px = 0;         ///< RMS of the robust residuals
+  int iterations = 0;
+  double time_ms = 0;
+};
+
+/// Window around keyframe `newest`: it, the keyframes sharing most landmarks with it, their landmarks
+/// with two views at least, and held keyframes that see those too.
+AdjustmentProblem localProblem(const Map& map, int newest, const LocalAdjustmentParameters& parameters);
+
+AdjustmentResult adjustLocally(const AdjustmentProblem& problem, const LocalAdjustmentParameters& parameters);
+
+}  // namespace svoscope

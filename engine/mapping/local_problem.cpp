@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Choosing the window of the local bundle adjustment.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "engine/mapping/local_adjustment.h"
+
+namespace svoscope {
+
+namespace {
+
+/// Keyframe ids with the number of landmarks shared with `keyframe`, most first.
+std::vector<int> covisible(const Map& map, const Keyframe& keyframe) {
+  std::map<int, int> shared;
+  for (const std::int64_t id : keyframe.landmarks) {
+    const Landmark* landmark = map.find(id);
+    if (!landmark) continue;
+    for (const LandmarkObservation& o : landmark->observations) ++shared[o.keyframe_id];
+  }
+  shared.erase(keyframe.id);
+  std::vector<std::pair<int, int>> ranked;  // (-count, -id): newer first among equals
+  for (const auto& [id, count] : shared) ranked.emplace_back(-count, -id);
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<int> ids;
+  for (const auto& [count, id] : ranked) ids.push_back(-id);
+  return ids;
+}
+
+struct Window {
+  std::set<int> free, fixed;
+  std::vector<std::int64_t> landmarks;
+};
+
+Window chooseWindow(const Map& map, const Keyframe& newest, const LocalAdjustmentParameters& p) {
+  Window w;
+  w.free.insert(newest.id);
+  for (const int id : covisible(map, newest)) {
+    if (static_cast<int>(w.free.size()) <= p.keyframes) w.free.insert(id);
+  }
+  std::set<std::int64_t> landmarks;
+  for (const int id : w.free) {
+    const auto& seen = map.keyframes.at(id).landmarks;
+    landmarks.insert(seen.begin(), seen.end());
+  }
+  std::map<int, int> outside;
+  for (const std::int64_t id : landmarks) {
+    const Landmark* landmark = map.find(id);
+    if (!landmark || landmark->observations.size() < 2) continue;
+    w.landmarks.push_back(id);
+    for (const LandmarkObservation& o : landmark->observations) {
+      if (!w.free.count(o.keyframe_id) && map.keyframes.count(o.keyframe_id)) ++outside[o.keyframe_id];
+    }
+  }
+  std::vector<std::pair<int, int>> ranked;
+  for (const auto& [id, count] : outside) ranked.emplace_back(-count, -id);
+  std::sort(ranked.begin(), ranked.end());
+  for (const auto& [count, id] : ranked) {
+    if (static_cast<int>(w.fixed.size()) < p.fixed_keyframes) w.fixed.insert(-id);
+  }
+  // Without held keyframes the oldest one of the window holds the frame, the next one the scale.
+  while (w.fixed.size() < 2 && w.free.size() > 1) {
+    const int oldest = *w.free.begin();
+    if (oldest == newest.id) break;
+    w.fixed.insert(oldest);
+    w.free.erase(oldest);
+    if (w.free.size() <= 1) break;
+  }
+  return w;
+}
+
+}  // namespace
+
+AdjustmentProblem localProblem(const Map& map, int newest, const LocalAdjustmentParameters& p) {
+  AdjustmentProblem problem;
+  problem.camera = map.camera;
+  const auto it = map.keyframes.find(newest);
+  // The two keyframes of the start were adjusted by the start itself.
+  if (it == map.keyframes.end() || map.keyframes.size() < 3) return problem;
+  const Window window = chooseWindow(map, it->second, p);
+  std::map<int, int> slot;
+  for (const auto& [id, keyframe] : map.keyframes) {
+    const bool fixed = window.fixed.count(id) > 0;
+    if (!fixed && !window.free.count(id)) continue;
+    slot[id] = static_cast<int>(problem.keyframes.size());
+    problem.keyframes.push_back({id, keyframe.T_cam_world, fixed});
+  }
+  for (const std::int64_t id : window.landmarks) {
+    const Landmark& landmark = *map.find(id);
+    std::vector<AdjustmentObservation> seen;
+    for (const LandmarkObservation& o : landmark.observations) {
+      const auto s = slot.find(o.keyframe_id);
+      if (s == slot.end()) continue;
+      seen.push_back({s->second, static_cast<int>(problem.points.size()), o.anchor.px, o.anchor.level, o.anchor.type,
+                      o.anchor.gradient_dir});
+    }
+    if (seen.size() < 2) continue;
+    problem.points.push_back({id, landmark.p_world});
+    problem.observations.insert(problem.observations.end(), seen.begin(), seen.end());
+  }
+  return problem;
+}
+
+}  // namespace svoscope

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The epipolar search of the update looked at, explained once per update.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "engine/runner/runner.h"
+#include "engine/runner/search_detail.h"
+
+namespace svoscope::ui {
+
+class SearchCache {
+ public:
+  using Explain = std::function<Result<SearchDetail>(const SeedView&, const SeedUpdateView&, const Snapshot&, const RunInfo&,
+                                                     const Snapshot* later)>;
+
+  SearchCache();  ///< with the engine's explainSearch
+  void setExplain(Explain explain) { explain_ = std::move(explain); }
+
+  /// `published`: frame of the snapshot that brought the update. Null with a reason in problem() if the frame is no longer held, or the engine cannot tell.
+  const SearchDetail* find(const Runner& runner, const SeedView& seed, const SeedUpdateView& update, int update_index,
+                           int published);
+  const std::string& problem() const { return problem_; }
+  /// Changes with the content; for textures.
+  std::uint64_t version() const { return version_; }
+  int computed() const { return computed_; }
+
+ private:
+  struct Key {
+    std::int64_t seed = -1;
+    int frame = -1, update = -1, generation = -1;
+    bool operator==(const Key& o) const {
+      return seed == o.seed && frame == o.frame && update == o.update && generation == o.generation;
+    }
+  };
+  Explain explain_;
+  Key key_;
+  std::optional<SearchDetail> detail_;
+  std::string problem_;
+  std::uint64_t version_ = 0;
+  int computed_ = 0;
+};
+
+/// Corners in the reference image of what the 8x8 patch covers in the searched one, by the affine
+/// warp at the belief's distance; empty if it cannot be told.
+std::vector<Vec2f> warpedFootprint(const SeedView& seed, const SeedUpdateView& update, const Snapshot& searched,
+                                   const Pinhole& camera, int search_level);
+
+std::string profileCsv(const SearchDetail& detail, std::int64_t seed, int frame);
+
+}  // namespace svoscope::ui
