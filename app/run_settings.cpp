@@ -10,7 +10,7 @@ namespace svoscope {
 void RunSettings::addTo(CLI::App& command) {
   command.add_option("SEQUENCE", sequence, "Sequence: folder, video or synthetic:PRESET")->required();
   command.add_option("--method", method, "Odometry method")
-      ->check(CLI::IsMember({"svo", "it-svo"}))
+      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
       ->capture_default_str();
   command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
   command.add_option("--set", assignments, "One parameter as key=value; repeatable")

@@ -35,6 +35,26 @@ void Map::removeLandmark(std::int64_t id) {
   landmarks.erase(id);
 }
 
+void Map::removeSegment(std::int64_t id) {
+  const auto it = segments.find(id);
+  if (it == segments.end()) return;
+  for (const SegmentView& view : it->second.views) {
+    if (Keyframe* k = findKeyframe(view.keyframe_id)) eraseValue(k->segments, id);
+  }
+  segments.erase(it);
+}
+
+void Map::removeSegmentView(std::int64_t id, int keyframe_id) {
+  SegmentLandmark& segment = segments.at(id);
+  // The prior belongs to the first view and goes with it.
+  if (segment.views.front().keyframe_id == keyframe_id) segment.prior_sigma[0] = segment.prior_sigma[1] = 0;
+  if (Keyframe* keyframe = findKeyframe(keyframe_id)) eraseValue(keyframe->segments, id);
+  segment.views.erase(std::remove_if(segment.views.begin(), segment.views.end(),
+                                     [keyframe_id](const SegmentView& v) { return v.keyframe_id == keyframe_id; }),
+                      segment.views.end());
+  if (segment.views.size() < 2) removeSegment(id);
+}
+
 void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
   Landmark* landmark = find(landmark_id);
   if (!landmark) return;
@@ -55,13 +75,15 @@ void Map::endSeeds(Keyframe& keyframe, SeedEnding ending) {
     orphans.push_back({seed, keyframe.T_cam_world});
   }
   keyframe.seeds.clear();
+  keyframe.segment_seeds.clear();
 }
 
 void Map::removeKeyframe(int id) {
   Keyframe* keyframe = findKeyframe(id);
   if (!keyframe) return;
-  const std::vector<std::int64_t> seen = keyframe->landmarks;
+  const std::vector<std::int64_t> seen = keyframe->landmarks, seen_segments = keyframe->segments;
   for (const std::int64_t landmark_id : seen) removeObservation(landmark_id, id);
+  for (const std::int64_t segment_id : seen_segments) removeSegmentView(segment_id, id);
   endSeeds(*keyframe, SeedEnding::keyframe_removed);
   retired.push_back({id, keyframe->frame_index, keyframe->T_cam_world.inverse()});
   keyframes.erase(id);
@@ -71,6 +93,9 @@ int Map::seedCount() const {
   int count = 0;
   for (const auto& [id, keyframe] : keyframes) {
     for (const Seed& seed : keyframe.seeds) {
+      count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
+    }
+    for (const SegmentSeed& seed : keyframe.segment_seeds) {
       count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
     }
   }

@@ -13,6 +13,7 @@
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/mapping/depth_filter.h"
+#include "engine/mapping/segment_seed.h"
 #include "engine/snapshot/snapshot.h"
 
 namespace svoscope {
@@ -66,6 +67,8 @@ struct Keyframe {
   double median_depth = 1, min_depth = 0.5;   ///< z of its features, map units
   std::vector<std::int64_t> landmarks;        ///< seen in it
   std::vector<Seed> seeds;
+  std::vector<std::int64_t> segments;         ///< segment landmarks seen in it
+  std::vector<SegmentSeed> segment_seeds;     ///< in order of id
   cv::Mat thumbnail;                          ///< small blurred float image, zero mean
   int last_local_frame = -1;                  ///< last frame that searched its features
 };
@@ -87,8 +90,9 @@ struct Map {
   std::vector<RetiredKeyframe> retired;       ///< by id
   std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
+  std::map<std::int64_t, SegmentLandmark> segments;
   std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
-  std::int64_t next_id = 0;                   ///< of landmarks and seeds
+  std::int64_t next_id = 0;                   ///< of landmarks, segments and seeds of both
   int next_keyframe_id = 0;
 
   Landmark* find(std::int64_t id) {
@@ -104,6 +108,8 @@ struct Map {
   Landmark& addLandmark(const Vec3& p_world, FeatureType type);
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);
   void removeLandmark(std::int64_t id);
+  void removeSegment(std::int64_t id);
+  void removeSegmentView(std::int64_t id, int keyframe_id);
   /// Takes back one view; a landmark left with fewer than two goes.
   void removeObservation(std::int64_t landmark_id, int keyframe_id);
   /// Ends all seeds of a keyframe; they are kept as orphans until the next frame.

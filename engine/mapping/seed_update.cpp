@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/stopwatch.h"
+#include "engine/mapping/segment_seed_update.h"
 
 namespace svoscope {
 
@@ -134,6 +135,7 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& p) {
       result.new_seeds.push_back(std::move(fresh));
     }
   }
+  result.segments = runSegmentJob(job, p);
   if (!job.adjustment.empty()) result.adjustment = adjustLocally(job.adjustment, p.local_ba);
   result.time_ms = watch.ms();
   return result;

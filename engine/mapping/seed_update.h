@@ -56,6 +56,7 @@ struct MappingJob {
   std::vector<JobKeyframe> keyframes;
   std::vector<JobSeed> seeds;
   NewSeedRequest new_seeds;
+  SegmentJob segments;
   /// Older views that new seeds are measured against at once.
   std::vector<JobKeyframe> older_views;
   AdjustmentProblem adjustment;   ///< of the keyframe's neighbourhood; may be empty
@@ -81,6 +82,7 @@ struct MappingResult {
   int keyframe_id = -1;      ///< of the new seeds
   std::vector<SeedMeasurement> measurements;
   std::vector<NewSeed> new_seeds;
+  SegmentJobResult segments;
   double median_depth = 1, min_depth = 0.5;
   AdjustmentResult adjustment;
   double time_ms = 0;
@@ -91,6 +93,7 @@ struct MappingParameters {
   EpipolarParameters search;
   FeatureAlignmentParameters alignment;
   DepthFilterParameters filter;
+  SegmentParameters segments;
   LocalAdjustmentParameters local_ba;
 };
 

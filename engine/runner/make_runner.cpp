@@ -11,7 +11,7 @@ namespace svoscope {
 namespace {
 
 std::optional<FilterRule> ruleOf(const std::string& method) {
-  if (method == "svo") return FilterRule::kl;
+  if (method == "svo" || method == "pl-svo") return FilterRule::kl;
   if (method == "it-svo") return FilterRule::js;
   return std::nullopt;
 }
@@ -20,9 +20,10 @@ std::optional<FilterRule> ruleOf(const std::string& method) {
 
 Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& asked) {
   const auto rule = ruleOf(asked.method);
-  if (!rule) return usageError("method '" + asked.method + "' is not available", "--method", "use svo or it-svo");
+  if (!rule) return usageError("method '" + asked.method + "' is not available", "--method", "use svo, pl-svo or it-svo");
   RunnerOptions options = asked;
   options.parameters.tracker.mapping.filter.rule = *rule;
+  options.parameters.tracker.mapping.segments.enabled = asked.method != "svo";
   if (sequence->size() == 0)
     return inputError("the sequence has no frames", sequence->name(), "check the list of images");
   if (options.start >= sequence->size())

@@ -101,9 +101,45 @@ void visitQuality(P& p, F&& f) {
 }
 
 template <typename P, typename F>
+void visitSegments(P& p, F&& f) {
+  auto& s = p.tracker.mapping.segments;
+  auto& d = s.detector;
+  f(ParameterInfo{"segments.detect_level", "level", "pyramid level searched for segments", 0, 3}, d.level);
+  f(ParameterInfo{"segments.min_length_px", "px", "shortest segment, at 640 px width", 15, 500}, d.min_length_px);
+  f(ParameterInfo{"segments.merge_angle_deg", "deg", "between pieces of one line", 0, 20}, d.merge_angle_deg);
+  f(ParameterInfo{"segments.merge_distance_px", "px", "of a piece from the line it continues", 0, 10}, d.merge_distance_px);
+  f(ParameterInfo{"segments.merge_gap_px", "px", "between pieces of one line", 0, 200}, d.merge_gap_px);
+  f(ParameterInfo{"segments.separation_px", "px", "between parallel segments", 0, 50}, d.separation_px);
+  f(ParameterInfo{"segments.cell_px", "px", "grid cell for midpoints, at 640 px width", 16, 640}, d.cell_px);
+  f(ParameterInfo{"segments.per_cell", "", "segments with their midpoint in one cell", 1, 100}, d.per_cell);
+  f(ParameterInfo{"segments.max_segments", "", "per keyframe, tracked ones included", 0, 1000}, d.max_segments);
+  f(ParameterInfo{"segments.level", "level", "pyramid level of reference patches", 0, 3}, s.level);
+  f(ParameterInfo{"segments.max_samples", "", "1-D alignments along a segment", 3, 50}, s.max_samples);
+  f(ParameterInfo{"segments.sample_spacing_px", "px", "least distance of these, search level", 2, 100}, s.sample_spacing_px);
+  f(ParameterInfo{"segments.max_shift_px", "px", "alignment may move from the prediction, search level", 1, 50}, s.max_shift_px);
+  f(ParameterInfo{"segments.fit_inlier_px", "px", "distance of a sample from the fitted line, search level", 0.1, 10}, s.fit_inlier_px);
+  f(ParameterInfo{"segments.search_samples", "", "epipolar searches per segment seed and frame", 3, 30}, s.search_samples);
+  f(ParameterInfo{"segments.min_edge_cosine", "", "between segment normal and epipolar line", 0.05, 1}, s.min_edge_cosine);
+  f(ParameterInfo{"segments.max_job_seeds", "", "segment seeds measured per frame", 1, 1000}, s.max_job_seeds);
+  f(ParameterInfo{"segments.promote_sigma", "", "relative depth sigma below which a tracked seed becomes a landmark", 0.001, 1}, s.promote_sigma);
+  f(ParameterInfo{"segments.max_tracked", "", "per frame", 0, 500}, s.max_tracked);
+  f(ParameterInfo{"segments.max_tries", "", "alignments of segments per frame", 0, 1000}, s.max_tries);
+  f(ParameterInfo{"segments.max_prediction_px", "px", "a seed with more doubt across its line is not tracked", 0.1, 50}, s.max_prediction_px);
+  f(ParameterInfo{"segments.patches_per_segment", "", "for sparse alignment", 0, 20}, s.patches_per_segment);
+  f(ParameterInfo{"segments.max_patches", "", "of all segments, for sparse alignment", 0, 1000}, s.max_patches);
+  f(ParameterInfo{"segments.line_noise_px", "px", "across the line at its ends", 0.05, 10}, s.line_noise_px);
+  f(ParameterInfo{"segments.max_depth_px", "px", "a depth with more doubt across the line does not enter the pose", 0, 50}, s.max_depth_px);
+  f(ParameterInfo{"segments.pose_sigma", "", "noise of a segment relative to a corner in the pose", 0.1, 50}, s.pose_sigma);
+  f(ParameterInfo{"segments.min_scale", "", "floor of the robust scale over line_noise_px", 0.01, 10}, s.min_scale);
+  f(ParameterInfo{"segments.max_error_px", "px", "distance of an end point from its line, inlier", 0.1, 50}, s.max_error_px);
+  f(ParameterInfo{"segments.max_failures", "", "failed alignments before a segment is deleted", 1, 1000}, s.max_failures);
+}
+
+template <typename P, typename F>
 void visitParameters(P& p, F&& f) {
   visitTracking(p, f);
   visitMapping(p, f);
+  visitSegments(p, f);
   visitAdjustment(p, f);
   visitQuality(p, f);
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/runner/segment_views.h"
+
 namespace svoscope {
 
 namespace {
@@ -120,10 +122,11 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
   for (auto it = depths_.begin(); it != depths_.end();)
     it = keyframes.count(it->first) ? std::next(it) : depths_.erase(it);
   for (const auto& [id, keyframe] : keyframes) {
-    if (keyframe.seeds.empty()) continue;
+    if (keyframe.seeds.empty() && keyframe.segment_seeds.empty()) continue;
     const SE3 T_world_kf = keyframe.T_cam_world.inverse();
     const cv::Mat& depth = depthOf(keyframe);
     for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, tracker, T_world_kf, depth));
+    for (const SegmentSeed& seed : keyframe.segment_seeds) views->push_back(segmentSeedView(seed, keyframe, tracker, depth));
   }
   for (const OrphanSeed& orphan : tracker.map().orphans)
     views->push_back(seedView(orphan.seed, tracker, orphan.T_cam_world.inverse(), cv::Mat()));
@@ -153,6 +156,7 @@ std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(con
     v.reference_keyframe = landmark.observations.empty() ? -1 : landmark.observations.front().keyframe_id;
     views->push_back(v);
   }
+  for (const auto& [id, segment] : tracker.map().segments) views->push_back(segmentPointView(segment));
   std::sort(views->begin(), views->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return views;
 }
@@ -178,6 +182,8 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->features.reserve(tracker.frame().features.size() + tracker.failedFeatures().size());
   for (const TrackedFeature& f : tracker.frame().features) s->features.push_back(featureView(f, tracker));
   for (const TrackedFeature& f : tracker.failedFeatures()) s->features.push_back(featureView(f, tracker));
+  for (const TrackedSegment& f : tracker.frame().segments) s->features.push_back(segmentFeatureView(f, tracker));
+  for (const TrackedSegment& f : tracker.failedSegments()) s->features.push_back(segmentFeatureView(f, tracker));
   if (tracker.record().state == TrackingState::initializing) {
     for (const InitializerTrack& t : tracker.startOutput().tracks) s->features.push_back(trackView(t));
   }

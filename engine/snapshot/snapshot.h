@@ -113,7 +113,10 @@ struct SeedView {
   Vec2f px = Vec2f::Zero();       ///< mean in the current image
   Vec2f px_near = Vec2f::Zero();  ///< mu + n sigma in the current image
   Vec2f px_far = Vec2f::Zero();   ///< mu - n sigma in the current image
+  Vec2f px_ref_end = Vec2f::Zero();  ///< segments: the other end point; mu and sigma above are of px_ref
+  float mu_end = 0, sigma_end = 0;   ///< segments: belief of the other end point; a and b are shared
   Vec3f position = Vec3f::Zero(); ///< mean in the world
+  Vec3f position_end = Vec3f::Zero();  ///< segments: the other end point
   Vec3f position_near = Vec3f::Zero(), position_far = Vec3f::Zero();  ///< ends of the span
   float last_x = 0, last_tau = 0; ///< last measurement (inverse distance) and its sigma
   float true_inv_distance = 0;    ///< from the sequence's depth, metres; 0 if unknown
@@ -132,6 +135,7 @@ struct KeyframeView {
 struct MapPointView {
   std::int64_t id = -1;
   Vec3f position = Vec3f::Zero();
+  Vec3f position_end = Vec3f::Zero();  ///< segments: the other end point
   FeatureType type = FeatureType::corner;
   float sigma = 0;        ///< of inverse depth when promoted
   int observations = 0;

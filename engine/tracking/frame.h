@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/mapping/map.h"
+#include "engine/tracking/tracked_segment.h"
 
 namespace svoscope {
 
@@ -25,6 +26,7 @@ struct Frame {
   PyramidPtr pyramid;
   SE3 T_cam_world;
   std::vector<TrackedFeature> features;
+  std::vector<TrackedSegment> segments;
 };
 
 }  // namespace svoscope

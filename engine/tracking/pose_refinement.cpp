@@ -103,30 +103,58 @@ void classify(const Pinhole& camera, const std::vector<PoseObservation>& observa
   result.median_px = medianOf(std::move(inlier_errors));
 }
 
+void classifySegments(const Pinhole& camera, const std::vector<SegmentPoseObservation>& segments,
+                      const SegmentParameters& p, PoseRefinementResult& result) {
+  for (const SegmentPoseObservation& o : segments) {
+    double e[2] = {kBehind, kBehind};
+    segmentResiduals(camera, o, result.T_cam_world, e);
+    const double worst = std::max(std::abs(e[0]), std::abs(e[1]));
+    result.segment_error_px.push_back(std::sqrt(0.5 * (e[0] * e[0] + e[1] * e[1])));
+    const double sigma = std::max(o.sigma[0], o.sigma[1]);
+    const bool fits = worst <= (o.informs ? p.max_error_px : 3 * p.line_noise_px) * std::max(1.0, sigma);
+    result.segment_inlier.push_back(fits);
+    result.segment_inliers += fits && o.informs;
+  }
+}
+
 }  // namespace
 
 PoseRefinementResult refinePose(const Pinhole& camera, const std::vector<PoseObservation>& observations,
-                                const SE3& T_init, const PoseRefinementParameters& p) {
+                                const SE3& T_init, const PoseRefinementParameters& p,
+                                const std::vector<SegmentPoseObservation>& segments,
+                                const SegmentParameters& segment_p) {
   PoseRefinementResult result;
   result.T_cam_world = T_init;
   result.error_px.assign(observations.size(), 0);
   result.inlier.assign(observations.size(), 0);
-  if (observations.size() < 6) return result;
+  if (observations.size() + segments.size() < 6) {
+    result.segment_error_px.assign(segments.size(), 0);
+    result.segment_inlier.assign(segments.size(), 0);
+    return result;
+  }
   result.scale_px = robustScale(camera, observations, T_init, p);
+  result.segment_scale = segmentScale(camera, segments, T_init, segment_p.min_scale);
+  bool solved = true;
   for (int it = 0; it < p.max_iterations; ++it) {
     // The initial errors hold the prediction's error too: take the scale again once it is gone.
-    if (it == 3) result.scale_px = robustScale(camera, observations, result.T_cam_world, p);
-    const NormalEquations n = linearize(camera, observations, result.T_cam_world, result.scale_px, p);
+    if (it == 3) {
+      result.scale_px = robustScale(camera, observations, result.T_cam_world, p);
+      result.segment_scale = segmentScale(camera, segments, result.T_cam_world, segment_p.min_scale);
+    }
+    NormalEquations n = linearize(camera, observations, result.T_cam_world, result.scale_px, p);
+    addSegmentTerms(camera, segments, result.T_cam_world, result.segment_scale * segment_p.line_noise_px,
+                    segment_p.pose_sigma, n.H, n.b);
     Mat6 damped = n.H;
     damped.diagonal() *= 1.0 + 1e-9;
     const Vec6 step = damped.ldlt().solve(n.b);
-    if (!step.allFinite()) return result;
+    if (!(solved = step.allFinite())) break;
     result.T_cam_world = SE3::exp(step) * result.T_cam_world;
     result.information = n.H;
     if (it > 3 && step.norm() < 1e-8) break;
   }
-  result.ok = result.T_cam_world.finite();
+  result.ok = solved && result.T_cam_world.finite();
   classify(camera, observations, p, result);
+  classifySegments(camera, segments, segment_p, result);
   return result;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pose from the aligned features: robust reprojection error, points in 2-D, edgelets along their
-// gradient (1-D).
+// gradient (1-D), segments across their line (segment_pose.h).
 #pragma once
 
 #include <vector>
@@ -8,6 +8,7 @@
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/snapshot/snapshot.h"
+#include "engine/tracking/segment_pose.h"
 
 namespace svoscope {
 
@@ -37,11 +38,17 @@ struct PoseRefinementResult {
   std::vector<double> error_px;      ///< per observation, level-0 px
   std::vector<char> inlier;          ///< per observation
   int inliers = 0;
+  double segment_scale = 0;          ///< robust scale of the segments, times line_noise_px
+  std::vector<double> segment_error_px;  ///< per segment, root mean square of both ends
+  std::vector<char> segment_inlier;
+  int segment_inliers = 0;
 };
 
 /// Tukey-weighted Gauss-Newton (c = 4.685) from T_init; the scale is 1.48 x the median of the
 /// level-normalised errors.
 PoseRefinementResult refinePose(const Pinhole& camera, const std::vector<PoseObservation>& observations,
-                                const SE3& T_init, const PoseRefinementParameters& parameters);
+                                const SE3& T_init, const PoseRefinementParameters& parameters,
+                                const std::vector<SegmentPoseObservation>& segments = {},
+                                const SegmentParameters& segment_parameters = {});
 
 }  // namespace svoscope

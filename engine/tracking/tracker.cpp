@@ -6,23 +6,13 @@
 #include <algorithm>
 
 #include "engine/base/stopwatch.h"
+#include "engine/tracking/tracker_attempt.h"
 
 namespace svoscope {
 
 namespace {
 
 double& stageMs(FrameRecord& record, Stage s) { return record.time_ms[static_cast<int>(s)]; }
-
-std::vector<AlignmentPatch> patchesOf(const Frame& frame) {
-  std::vector<AlignmentPatch> patches;
-  patches.reserve(frame.features.size());
-  for (const TrackedFeature& f : frame.features) {
-    if (f.status != FeatureStatus::inlier) continue;
-    const Vec3 p = frame.T_cam_world * f.p_world;
-    if (p.z() > 0) patches.push_back({f.anchor.px, f.anchor.f * p.norm()});
-  }
-  return patches;
-}
 
 std::vector<PoseObservation> observationsOf(const std::vector<TrackedFeature>& features) {
   std::vector<PoseObservation> observations;
@@ -45,15 +35,6 @@ SE3 startVelocity(const InitializerOutput& start) {
 }
 
 }  // namespace
-
-struct Tracker::Attempt {
-  const char* from = "";
-  SparseAlignmentResult aligned;
-  ReprojectionResult reprojected;
-  PoseRefinementResult pose;
-  SE3 T_cam_world;
-  std::string failure;             ///< empty if accepted
-};
 
 Tracker::Tracker(const Pinhole& camera, const TrackerParameters& parameters) : parameters_(parameters) {
   map_.camera = camera;
@@ -83,6 +64,7 @@ const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& 
   record_.timestamp = timestamp;
   events_.clear();
   failed_features_.clear();
+  failed_segments_.clear();
   measured_seeds_.clear();
   dropEndedSeeds();
 
@@ -125,7 +107,7 @@ void Tracker::initialize() {
 
 void Tracker::trackFrame() {
   const auto& p = parameters_;
-  const auto patches = patchesOf(last_);
+  const auto patches = alignmentPatches();
   const int top = std::min<int>(p.alignment.max_level, static_cast<int>(frame_.pyramid->size()) - 1);
   Stopwatch watch;
   const double moving = photometricError(*last_.pyramid, *frame_.pyramid, map_.camera, patches, T_velocity_, top);
@@ -152,7 +134,9 @@ void Tracker::trackFrame() {
 
   watch.lapMs();
   commitSeedMatches(best.reprojected.seed_matches);
+  commitSegments();
   refineStructure();
+  refineSegments();
   stageMs(record_, Stage::structure) = watch.lapMs();
   const KeyframeDecision decision = considerKeyframe();
   record_.keyframe_reason = decision.reason;
@@ -163,7 +147,7 @@ void Tracker::trackFrame() {
 
 Tracker::Attempt Tracker::alignAndAttempt(const SE3& T_cur_prev, const char* from) {
   Stopwatch watch;
-  const SparseAlignmentResult aligned = alignSparse(*last_.pyramid, *frame_.pyramid, map_.camera, patchesOf(last_),
+  const SparseAlignmentResult aligned = alignSparse(*last_.pyramid, *frame_.pyramid, map_.camera, alignmentPatches(),
                                                     T_cur_prev, parameters_.alignment);
   stageMs(record_, Stage::sparse_align) += watch.ms();
   Attempt a = attempt((aligned.ok ? aligned.T_cur_ref : T_cur_prev) * last_.T_cam_world, from);
@@ -178,34 +162,48 @@ Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from) {
   frame_.T_cam_world = T_cam_world;
   a.reprojected = reprojectMap(map_, frame_, parameters_.reproject, parameters_.mapping);
   stageMs(record_, Stage::reproject) += watch.lapMs();
-  a.pose = refinePose(map_.camera, observationsOf(a.reprojected.features), T_cam_world, parameters_.pose);
+  const auto observations = observationsOf(a.reprojected.features);
+  a.pose = refinePose(map_.camera, observations, T_cam_world, parameters_.pose);
   stageMs(record_, Stage::pose) += watch.lapMs();
+  if (parameters_.mapping.segments.enabled) {
+    // The points' pose predicts the lines: fewer steps, and no jump to a parallel edge.
+    if (a.pose.ok && a.pose.inliers >= parameters_.quality.min_inliers) frame_.T_cam_world = a.pose.T_cam_world;
+    a.segments = trackSegments(map_, frame_, a.reprojected.local_keyframes, parameters_.mapping);
+    stageMs(record_, Stage::reproject) += watch.lapMs();
+    if (!a.segments.segments.empty()) {
+      const auto lines = segmentObservations(map_.camera, a.segments.segments, frame_.T_cam_world, parameters_.mapping.segments);
+      a.pose = refinePose(map_.camera, observations, frame_.T_cam_world, parameters_.pose, lines, parameters_.mapping.segments);
+    }
+    stageMs(record_, Stage::pose) += watch.lapMs();
+  }
   a.T_cam_world = a.pose.T_cam_world;
   return a;
 }
 
 /// Judges an attempt; if good, its features become the frame's and its numbers the record's.
 bool Tracker::accept(Attempt& a, int required) {
-  const int matched = static_cast<int>(a.reprojected.features.size());
+  const int matched = static_cast<int>(a.reprojected.features.size() + a.segments.segments.size());
+  const int inliers = a.pose.inliers + a.pose.segment_inliers;
   record_.align_rmse = a.aligned.rmse;
   record_.gain = a.aligned.gain;
   record_.offset = a.aligned.offset;
   Funnel& funnel = record_.funnel;
   funnel.aligned_sparse = a.aligned.patches;
-  funnel.candidates = a.reprojected.candidates;
-  funnel.projected = a.reprojected.projected;
-  funnel.tried = a.reprojected.tried;
+  funnel.candidates = a.reprojected.candidates + a.segments.candidates;
+  funnel.projected = a.reprojected.projected + a.segments.projected;
+  funnel.tried = a.reprojected.tried + a.segments.tried;
   funnel.matched = matched;
-  funnel.inliers = a.pose.inliers;
+  funnel.inliers = inliers;
   funnel.required = required;
   failed_features_ = a.reprojected.failed;
+  failed_segments_ = a.segments.failed;
   local_keyframes_ = a.reprojected.local_keyframes;
   if (matched < required) {
-    a.failure = fmt::format("{} features matched of {} tried, {} required", matched, a.reprojected.tried, required);
-  } else if (!a.pose.ok || a.pose.inliers < required) {
-    a.failure = fmt::format("{} inliers of {} matched, {} required", a.pose.inliers, matched, required);
-  } else if (a.pose.inliers < parameters_.quality.min_inlier_fraction * matched) {
-    a.failure = fmt::format("{} inliers are under {:.0f} % of {} matched", a.pose.inliers,
+    a.failure = fmt::format("{} features matched of {} tried, {} required", matched, funnel.tried, required);
+  } else if (!a.pose.ok || inliers < required) {
+    a.failure = fmt::format("{} inliers of {} matched, {} required", inliers, matched, required);
+  } else if (inliers < parameters_.quality.min_inlier_fraction * matched) {
+    a.failure = fmt::format("{} inliers are under {:.0f} % of {} matched", inliers,
                             100 * parameters_.quality.min_inlier_fraction, matched);
   }
   if (!a.failure.empty()) return false;
@@ -215,6 +213,7 @@ bool Tracker::accept(Attempt& a, int required) {
     f.status = a.pose.inlier[i] ? FeatureStatus::inlier : FeatureStatus::outlier;
   }
   frame_.features = a.reprojected.features;
+  acceptSegments(a);
   occupied_ = a.reprojected.occupied;
   for (const std::int64_t id : a.reprojected.failed_landmarks) map_.removeLandmark(id);
   return true;
@@ -252,7 +251,7 @@ void Tracker::relocalize() {
   for (const RelocalizationCandidate& c : candidates) {
     Attempt a = attempt(c.T_cam_world, "relocalization");
     // Once more from the refined pose: the first pass finds only what lay near its prediction.
-    if (a.pose.inliers >= parameters_.quality.min_inliers) a = attempt(a.T_cam_world, "relocalization");
+    if (a.pose.inliers + a.pose.segment_inliers >= parameters_.quality.min_inliers) a = attempt(a.T_cam_world, "relocalization");
     if (accept(a, parameters_.quality.relocalized_inliers)) {
       frame_.T_cam_world = T_last_good_ = a.T_cam_world;
       T_velocity_ = SE3();
@@ -261,6 +260,7 @@ void Tracker::relocalize() {
       record_.reason = fmt::format("relocalized on keyframe {}", c.keyframe_id);
       event(EventKind::relocalized, fmt::format("{} after {} frames", record_.reason, lost_frames_));
       commitSeedMatches(a.reprojected.seed_matches);
+      commitSegments();
       requestMeasurements();
       stageMs(record_, Stage::relocalize) = watch.ms();
       return;
@@ -286,7 +286,11 @@ void Tracker::finishRecord() {
     errors.push_back(f.error_px);
     ++(f.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
     funnel.inlier_edgelets += f.anchor.type == FeatureType::edgelet;
-    funnel.inlier_segments += f.anchor.type == FeatureType::segment;
+  }
+  for (const TrackedSegment& s : frame_.segments) {
+    if (s.status != FeatureStatus::inlier) continue;
+    ++funnel.inlier_segments;
+    ++(s.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
   }
   if (!errors.empty()) {
     auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
@@ -295,7 +299,7 @@ void Tracker::finishRecord() {
   }
   double near = 0;
   depthStatistics(frame_, record_.median_depth, near);
-  record_.landmarks = static_cast<int>(map_.landmarks.size());
+  record_.landmarks = static_cast<int>(map_.landmarks.size() + map_.segments.size());
   record_.seeds = map_.seedCount();
   record_.keyframes = static_cast<int>(map_.keyframes.size());
 }

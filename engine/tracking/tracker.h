@@ -17,6 +17,7 @@
 #include "engine/tracking/pose_refinement.h"
 #include "engine/tracking/relocalizer.h"
 #include "engine/tracking/reprojector.h"
+#include "engine/tracking/segment_tracking.h"
 #include "engine/tracking/sparse_alignment.h"
 
 namespace svoscope {
@@ -65,6 +66,7 @@ class Tracker {
   const Map& map() const { return map_; }
   /// Features that were tried in the last frame without success, for display.
   const std::vector<TrackedFeature>& failedFeatures() const { return failed_features_; }
+  const std::vector<TrackedSegment>& failedSegments() const { return failed_segments_; }
   const std::vector<Event>& events() const { return events_; }
   const InitializerOutput& startOutput() const { return start_output_; }
 
@@ -75,7 +77,7 @@ class Tracker {
   std::vector<SeedUpdateView> takeSeedUpdates() { return std::exchange(seed_updates_, {}); }
 
  private:
-  struct Attempt;  ///< one try to register the frame from a predicted pose
+  struct Attempt;  ///< one try to register the frame from a predicted pose (tracker_attempt.h)
 
   void initialize();
   void trackFrame();
@@ -100,6 +102,20 @@ class Tracker {
   void dropEndedSeeds();
   bool measureSeed(Seed& seed, const SeedMeasurement& m);
   Seed* findSeed(int keyframe_id, std::int64_t id);
+
+  // Segments (tracker_segments.cpp).
+  std::vector<AlignmentPatch> alignmentPatches() const;
+  void acceptSegments(Attempt& a);
+  void commitSegments();
+  void promoteSegments(Keyframe& keyframe);
+  void refineSegments();
+  void requestSegmentMeasurements();
+  void applySegmentMapping(const MappingResult& result);
+  void dropEndedSegmentSeeds();
+  void disownSegments(int keyframe_id);
+  void moveSegments(const std::map<int, SE3>& moved);
+  SegmentSeed* findSegmentSeed(int keyframe_id, std::int64_t id);
+
   void event(EventKind kind, std::string text);
 
   TrackerParameters parameters_;
@@ -112,6 +128,7 @@ class Tracker {
   SE3 T_last_good_;                ///< T_cam_world of the last good frame
   FrameRecord record_;
   std::vector<TrackedFeature> failed_features_;
+  std::vector<TrackedSegment> failed_segments_;
   std::vector<Event> events_;
   std::vector<int> local_keyframes_;
   OccupancyGrid occupied_;

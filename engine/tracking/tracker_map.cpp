@@ -66,6 +66,7 @@ void Tracker::dropEndedSeeds() {
                 seeds.end());
     for (Seed& seed : seeds) seed.outcome = SearchOutcome::none;
   }
+  dropEndedSegmentSeeds();
 }
 
 /// Applies a measurement; true if the seed converged by it.
@@ -183,7 +184,9 @@ void Tracker::insertKeyframe(const std::string& reason) {
   for (TrackedFeature& f : frame_.features) {
     if (f.status == FeatureStatus::inlier) promoteFeature(f, keyframe);
   }
+  promoteSegments(keyframe);
   refineStructure();
+  refineSegments();
   last_keyframe_frame_ = frame_.index;
   latest_keyframe_ = id;
   record_.is_keyframe = true;
@@ -214,6 +217,7 @@ void Tracker::limitKeyframes() {
       if (f.origin == FeatureOrigin::landmark ? !map_.find(f.id) : f.keyframe_id == farthest)
         f.status = FeatureStatus::outlier;
     }
+    disownSegments(farthest);
     local_keyframes_.erase(std::remove(local_keyframes_.begin(), local_keyframes_.end(), farthest), local_keyframes_.end());
   }
 }
@@ -239,6 +243,7 @@ void Tracker::requestMeasurements() {
   job_->pyramid = frame_.pyramid;
   job_->T_cam_world = frame_.T_cam_world;
   job_->camera = map_.camera;
+  requestSegmentMeasurements();
   for (const int id : local_keyframes_) {
     const Keyframe* keyframe = map_.findKeyframe(id);
     if (!keyframe || keyframe->frame_index == frame_.index) continue;
@@ -271,6 +276,7 @@ void Tracker::applyMapping(const MappingResult& result) {
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
   applyAdjustment(result.adjustment);
+  applySegmentMapping(result);
   Keyframe* keyframe = map_.findKeyframe(result.keyframe_id);
   if (!keyframe) return;
   for (const NewSeed& fresh : result.new_seeds) {
@@ -291,12 +297,15 @@ void Tracker::applyMapping(const MappingResult& result) {
 void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
   if (!adjustment.ok) return;
   SE3 correction;   // old world to new world, near the newest keyframe
+  std::map<int, SE3> moved;
   for (const AdjustmentKeyframe& k : adjustment.keyframes) {
     Keyframe* keyframe = map_.findKeyframe(k.id);
     if (!keyframe || k.fixed) continue;
     correction = k.T_cam_world.inverse() * keyframe->T_cam_world;
     keyframe->T_cam_world = k.T_cam_world;
+    moved[k.id] = correction;
   }
+  moveSegments(moved);
   for (const AdjustmentPoint& p : adjustment.points) {
     if (Landmark* landmark = map_.find(p.id)) landmark->p_world = p.p_world;
   }

@@ -184,6 +184,10 @@ void SceneContent::addPoints(const SceneInput& input) {
     const ImU32 color = by == PointColor::kind
                             ? kindColor(p.type)
                             : viridis(0.12f + 0.88f * (valueOf(p, by, T_cam_world) - lo) / span);
+    if (p.type == FeatureType::segment && p.position_end.allFinite()) {
+      line(p.position, p.position_end, color);
+      continue;
+    }
     scene_.points.push_back({p.position, color});
   }
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Segments of the nearby keyframes in the current frame: projected, clipped, aligned, turned into
+// observations for the pose and into patches for the next sparse image alignment.
+#pragma once
+
+#include <vector>
+
+#include "engine/mapping/seed_update.h"
+#include "engine/tracking/frame.h"
+#include "engine/tracking/segment_pose.h"
+#include "engine/tracking/sparse_alignment.h"
+
+namespace svoscope {
+
+struct SegmentTrackingResult {
+  std::vector<TrackedSegment> segments;      ///< aligned
+  std::vector<TrackedSegment> failed;        ///< tried without success
+  std::vector<std::int64_t> failed_landmarks;  ///< that failed too often
+  int candidates = 0, projected = 0, tried = 0;
+};
+
+/// `frame` brings pyramid and predicted pose. Counts successes and failures in `map`.
+SegmentTrackingResult trackSegments(Map& map, const Frame& frame, const std::vector<int>& local_keyframes,
+                                    const MappingParameters& parameters);
+
+/// Residuals with sigmas that hold the line's noise and the end points' depth, at the pose given.
+std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera, const std::vector<TrackedSegment>& segments,
+                                                        const SE3& T_cam_world, const SegmentParameters& parameters);
+
+/// Appends patches along the frame's inlier segments.
+void appendSegmentPatches(const Pinhole& camera, const Frame& frame, const SegmentParameters& parameters,
+                          std::vector<AlignmentPatch>& patches);
+
+}  // namespace svoscope

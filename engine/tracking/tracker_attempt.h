@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// One try to register a frame; internal to the tracker.
+#pragma once
+
+#include <string>
+
+#include "engine/tracking/tracker.h"
+
+namespace svoscope {
+
+struct Tracker::Attempt {
+  const char* from = "";
+  SparseAlignmentResult aligned;
+  ReprojectionResult reprojected;
+  SegmentTrackingResult segments;
+  PoseRefinementResult pose;
+  SE3 T_cam_world;
+  std::string failure;             ///< empty if accepted
+};
+
+}  // namespace svoscope
