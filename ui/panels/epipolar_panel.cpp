@@ -252,7 +252,7 @@ void drawEpipolarPanel(PanelContext& c) {
   const float width = (ImGui::GetContentRegionAvail().x - 3 * grid(3)) / 4;
   const bool profile = d->profile.size() > 1;
   const float share = profile ? 0.34f : 0.8f, most = profile ? 13.0f : 22.0f;
-  const float side = std::floor(std::clamp(std::min(room * share, width), font * 4, font * most));
+  const float side = std::floor(std::clamp(std::min(room * share, width), font * 5, font * most));
   patches(c, *d, *v.trace->last, u, side);
   profileChart(c, *d, u);
 }

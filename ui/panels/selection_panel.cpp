@@ -24,7 +24,7 @@ void referenceRow(PanelContext& c, int keyframe) {
   valueRow("Reference", frame < 0 ? format("keyframe %d, removed", keyframe)
                                   : format("keyframe %d, frame %d", keyframe, frame));
   if (frame < 0) return;
-  ImGui::SameLine();
+  sameLineIfFits(ImGui::CalcTextSize("Show").x + 2 * grid(1.5f));
   const bool held = frame >= c.status.history_first;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), 0});
   if (button("Show", {"View the keyframe's frame", held ? nullptr : "That frame is no longer held"})) {
