@@ -217,7 +217,7 @@ void Chart::markY(double value, const LineStyle& s, const std::string& label) {
   if (label.empty()) return;
   const float w = ImGui::CalcTextSize(label.c_str()).x, font = ImGui::GetFontSize();
   const ImVec2 p{hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1};
-  list_->AddRectFilled({p.x - grid(0.5f), p.y}, {hi_.x, p.y + font}, withAlpha(ink::canvas, 0.8f));
+  list_->AddRectFilled({p.x - grid(0.5f), p.y}, {hi_.x, p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
   list_->AddText(p, s.color, label.c_str());
 }
 
