@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "app/command.h"
 #include "app/run_settings.h"
 #include "ui/application.h"
+#include "ui/harness/script.h"
 
 namespace svoscope {
 
@@ -19,11 +21,29 @@ struct Arguments {
   double scale = 1;
 };
 
+/// The sequence of the command line, or the one that the script opens.
+Result<std::string> sequenceOf(const Arguments& a) {
+  const Result<ui::Script> script = ui::readScript(a.script);
+  if (!script.ok()) return script.error();
+  const std::optional<std::string> named = script.value().sequence();
+  if (a.run.sequence.empty() && !named)
+    return usageError("no sequence given", "", "name one on the command line or begin the script with open SEQUENCE");
+  if (!a.run.sequence.empty() && named && *named != a.run.sequence) {
+    return usageError("the script opens " + *named + ", the command line names " + a.run.sequence, a.script,
+                      "leave one of them out");
+  }
+  return named ? *named : a.run.sequence;
+}
+
 int runShot(const Arguments& a) {
+  const Result<std::string> sequence = sequenceOf(a);
+  if (!sequence.ok()) return reportError(sequence.error());
+  RunSettings run = a.run;
+  run.sequence = sequence.value();
   // Scripts name frames and seeds: only the synchronous engine gives the same ones every time.
   RunnerOptions options;
   options.threaded = false;
-  auto runner = a.run.open(options);
+  auto runner = run.open(options);
   if (!runner.ok()) return reportError(runner.error());
   ui::InspectorOptions inspector;
   inspector.runner = std::move(runner).value();
@@ -53,8 +73,12 @@ void addShotCommand(CLI::App& app, Action& action) {
       "Example:\n"
       "  svoscope shot synthetic:room --script tour.script --out pictures --size 1920x1080\n"
       "\n"
-      "The script language is described in docs/scripts.md.");
-  a->run.addTo(*command);
+      "SEQUENCE may be left out if the script begins with open SEQUENCE. The script language is\n"
+      "described in docs/scripts.md.\n"
+      "\n"
+      "Exit codes: 0 the script ran to its end, 1 an expect or run-to was not met, 2 a command\n"
+      "cannot be carried out, 3 the script or sequence cannot be read, 4 a picture cannot be written.");
+  a->run.addTo(*command, false);
   command->add_option("--script", a->script, "Script of actions")->required()->type_name("FILE");
   command->add_option("--out", a->out, "Folder of the pictures")->required()->type_name("DIR");
   command->add_option("--size", a->size, "Size in pixels, WxH")

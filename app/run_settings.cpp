@@ -7,8 +7,8 @@
 
 namespace svoscope {
 
-void RunSettings::addTo(CLI::App& command) {
-  command.add_option("SEQUENCE", sequence, "Sequence: folder, video or synthetic:PRESET")->required();
+void RunSettings::addTo(CLI::App& command, bool required) {
+  command.add_option("SEQUENCE", sequence, "Sequence: folder, video or synthetic:PRESET")->required(required);
   command.add_option("--method", method, "Odometry method")
       ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
       ->capture_default_str();

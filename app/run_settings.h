@@ -20,8 +20,8 @@ struct RunSettings {
   int start = 0;
   int max_frames = -1;
 
-  /// Adds SEQUENCE, --method, --config, --set, --start and --max-frames.
-  void addTo(CLI::App& command);
+  /// Adds SEQUENCE, --method, --config, --set, --start and --max-frames. `required`: SEQUENCE is.
+  void addTo(CLI::App& command, bool required = true);
   /// Opens the sequence and makes its runner; `options` brings what is not on the command line.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options) const;
   /// Parameters of --config and --set: input error for the file, usage error for the line.

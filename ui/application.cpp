@@ -16,7 +16,7 @@ namespace svoscope::ui {
 namespace {
 
 int fail(const Error& error) {
-  std::fprintf(stderr, "svoscope: %s\n", error.message().c_str());
+  std::fprintf(stderr, "svoscope: error: %s\n", error.message().c_str());
   return error.exitCode();
 }
 

@@ -14,7 +14,7 @@ namespace {
 // The presets use the same text as layout.txt.
 const char* presetText(const std::string& name) {
   if (name == "Seeds")
-    return "Seeds|h 0.56 ( v 0.54 ( [Image] h 0.66 ( [Epipolar search,Plots,Log] [Selection,3-D,Parameters] ) ) "
+    return "Seeds|h 0.56 ( v 0.54 ( [Image] h 0.64 ( [Epipolar search,Plots,Log] [3-D,Selection,Parameters] ) ) "
            "[Seed] )";
   if (name == "KL / JS")
     return "KL / JS|h 0.56 ( [KL / JS] v 0.46 ( [Image,Seed,3-D] [Filter lab,Epipolar search,Selection] ) )";

@@ -35,8 +35,8 @@ void setColors(ImVec4* c) {
   set(ImGuiCol_HeaderHovered, IM_COL32(52, 68, 85, 255));
   set(ImGuiCol_HeaderActive, IM_COL32(60, 80, 100, 255));
   set(ImGuiCol_CheckMark, ink::accent);
-  set(ImGuiCol_SliderGrab, withAlpha(ink::accent, 0.8f));
-  set(ImGuiCol_SliderGrabActive, ink::accent);
+  set(ImGuiCol_SliderGrab, withAlpha(ink::accent, 0.4f));  // the value is written over it
+  set(ImGuiCol_SliderGrabActive, withAlpha(ink::accent, 0.55f));
   set(ImGuiCol_Separator, ink::line);
   set(ImGuiCol_ScrollbarBg, IM_COL32(0, 0, 0, 0));
   set(ImGuiCol_ScrollbarGrab, IM_COL32(62, 69, 80, 255));

@@ -43,12 +43,17 @@ void awaitSnapshot(Runner& runner) {
   }
 }
 
+/// "lost: too few matches"; a reason that only names the state adds nothing.
+std::string stateText(const FrameRecord& record) {
+  const std::string state = stateName(record.state);
+  return record.reason.empty() || record.reason == state ? state : state + ": " + record.reason;
+}
+
 std::string whereNow(const Runner& runner) {
   const RunnerStatus status = runner.status();
   std::string text = "after frame " + std::to_string(status.next_frame - 1);
   if (const SnapshotPtr latest = runner.latest())
-    text +=
-        " (" + std::string(stateName(latest->record.state)) + ": " + latest->record.reason + ")";
+    text += " (" + stateText(latest->record) + ")";
   return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 #include <variant>
 
 #include "ui/harness/inspector_options.h"
@@ -50,6 +51,12 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// What `select seed any` prefers: still open and just matched, then the number of updates.
+std::pair<int, int> worth(const SeedView& seed) {
+  const bool open = seed.status == SeedStatus::active, matched = seed.outcome == SearchOutcome::matched;
+  return {(open ? 2 : 0) + (matched ? 1 : 0), seed.updates};
+}
+
 }  // namespace
 
 SnapshotPtr InspectorTarget::shown() const {
@@ -89,11 +96,11 @@ Status InspectorTarget::selectSeed(std::int64_t id) {
   const SeedView* best = nullptr;
   for (const SeedView& seed : *snapshot->seeds) {
     const bool wanted = id >= 0 ? seed.id == id : seed.visible;
-    if (wanted && (!best || (id < 0 && seed.updates > best->updates))) best = &seed;
+    if (wanted && (!best || (id < 0 && worth(seed) > worth(*best)))) best = &seed;
   }
   if (!best) {
     return notThere(id < 0 ? "visible seed" : "seed " + std::to_string(id), snapshot->record.index,
-                    "`select seed any` takes the visible one with most updates");
+                    "`select seed any` takes a visible one");
   }
   state_.selection = {Selection::Kind::seed, best->id};
   return Done{};

@@ -172,12 +172,12 @@ void sigmaRatio(const DivergenceView& v, ImVec2 size) {
 void inlierRatios(PanelContext& c, const DivergenceView& v, ImVec2 size) {
   ChartSpec spec = binsSpec("Inlier ratios", "Inlier ratio after", "a / (a + b)", v.shown.ratio[0], size);
   spec.legend = ruleLegend();
-  spec.y = {0, tallest({&v.shown.ratio[0], &v.shown.ratio[1]})};
+  spec.y = {0, 1.25 * tallest({&v.shown.ratio[0], &v.shown.ratio[1]})};  // the label is above the bars
   Chart chart(spec);
-  chart.markX(filterGates(c).min_ratio, {ink::threshold, 1, true}, "gate");
   for (const Rule rule : kRules) {
     histogram(chart, v.shown.ratio[static_cast<int>(rule)], {ruleColor(rule), 1.6f, rule == Rule::kl});
   }
+  chart.markX(filterGates(c).min_ratio, {ink::threshold, 1, true}, "gate");
 }
 
 void convergence(PanelContext& c, const DivergenceView& v, ImVec2 size) {

@@ -38,10 +38,9 @@ ImVec2 drawPatch(PanelContext& c, const Patch& patch, std::uint32_t slot, float 
     list->AddText({(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::faint, "none");
   }
   list->AddRect(lo, hi, ink::line);
-  const bool fits = ImGui::CalcTextSize(patch.below.c_str()).x <= side;
-  const std::string below = fits ? patch.below : patch.below.substr(0, patch.below.find(','));
+  const std::string below = wrapped(patch.below, side);
   list->AddText({lo.x, hi.y + grid(0.5f)}, ink::dim, below.c_str());
-  ImGui::Dummy({side, side + 2 * font + grid(1)});
+  ImGui::Dummy({side, side + font + grid(1) + ImGui::CalcTextSize(below.c_str()).y});
   Probe::record(std::string("patch:") + patch.title, lo, hi);
   return lo;
 }
@@ -253,7 +252,7 @@ void drawEpipolarPanel(PanelContext& c) {
   const float width = (ImGui::GetContentRegionAvail().x - 3 * grid(3)) / 4;
   const bool profile = d->profile.size() > 1;
   const float share = profile ? 0.34f : 0.8f, most = profile ? 13.0f : 22.0f;
-  const float side = std::floor(std::clamp(std::min(room * share, width), font * 4, font * most));
+  const float side = std::floor(std::clamp(std::min(room * share, width), font * 5, font * most));
   patches(c, *d, *v.trace->last, u, side);
   profileChart(c, *d, u);
 }

@@ -151,10 +151,23 @@ bool shows(const ImageOptions& o, const FeatureView& f) {
   return true;
 }
 
-int hiddenFeatures(const ImageOptions& options, const Snapshot& snapshot) {
-  const auto& all = snapshot.features;
-  return static_cast<int>(std::count_if(all.begin(), all.end(),
-                                        [&](const FeatureView& f) { return !shows(options, f); }));
+std::string hiddenText(const ImageOptions& options, const Snapshot& snapshot) {
+  static constexpr const char* names[] = {"tracks", "outliers", "failed", "corners", "edgelets", "segments"};
+  int counts[6] = {}, all = 0;
+  for (const FeatureView& f : snapshot.features) {
+    if (shows(options, f) || !f.px.allFinite()) continue;
+    const bool outlier = f.status == FeatureStatus::outlier && !options.outliers;
+    const bool failed = f.status == FeatureStatus::not_aligned && !options.not_aligned;
+    ++counts[f.origin == FeatureOrigin::track ? 0 : outlier ? 1 : failed ? 2 : 3 + static_cast<int>(f.type)];
+    ++all;
+  }
+  if (all == 0) return "";
+  std::string by;
+  for (int i = 0; i < 6; ++i) {
+    if (counts[i] == all) return format("%d hidden: %s", all, names[i]);
+    if (counts[i]) by += format("%s%d %s", by.empty() ? "" : ", ", counts[i], names[i]);
+  }
+  return format("%d hidden: ", all) + by;
 }
 
 void drawTrails(const ImageView& view, const std::vector<std::vector<Vec2f>>& trails,

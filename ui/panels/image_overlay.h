@@ -22,7 +22,7 @@ ImU32 colorOf(const FeatureView& feature, const ColorScale& scale, ColorBy by);
 
 /// Whether the options let the feature be seen.
 bool shows(const ImageOptions& options, const FeatureView& feature);
-int hiddenFeatures(const ImageOptions& options, const Snapshot& snapshot);
+std::string hiddenText(const ImageOptions& options, const Snapshot& snapshot);
 
 /// Values of the seeds' colour ramp; by status there is none.
 ColorScale seedScale(SeedColorBy by, int most_updates);

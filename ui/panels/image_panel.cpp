@@ -62,12 +62,21 @@ void toolbar(PanelContext& c, int levels) {
   ImGui::PopStyleVar(2);
 }
 
+// On a dark ground, readable on any image.
+void darkText(ImVec2 at, ImU32 color, const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({at.x - grid(1), at.y - grid(0.25f)}, {at.x + size.x + grid(1), at.y + size.y + grid(0.25f)},
+                      IM_COL32(0, 0, 0, 170), dp(3));
+  list->AddText(at, color, text.c_str());
+}
+
 // Text lines over the lower left corner of the view.
 struct Corner {
   ImVec2 at;
   void line(const std::string& text, ImU32 color = ink::text) {
-    at.y -= ImGui::GetTextLineHeight() + grid(0.5f);
-    outlinedText(ImGui::GetWindowDrawList(), at, color, text.c_str());
+    at.y -= ImGui::GetTextLineHeight() + grid(1);
+    darkText(at, color, text);
   }
 };
 
@@ -139,8 +148,8 @@ void legend(const ImageView& view, const Snapshot& s, const ImageOptions& o) {
 
 void notes(PanelContext& c, const ImageView& view, const Snapshot& s, const cv::Mat& level, int shift) {
   Corner corner{{view.lo.x + grid(2), view.hi.y - grid(1)}};
-  const int hidden = hiddenFeatures(c.state.image, s);
-  if (hidden > 0) corner.line(format("%d hidden by filters", hidden), okabe::orange);
+  const std::string hidden = hiddenText(c.state.image, s);
+  if (!hidden.empty()) corner.line(hidden, okabe::orange);
   if (s.record.state == TrackingState::initializing && s.record.disparity_tracks > 0) {
     corner.line(format("Two-view start  %d tracks, median disparity %.1f px", s.record.disparity_tracks,
                        s.record.disparity_px),
@@ -154,7 +163,7 @@ void notes(PanelContext& c, const ImageView& view, const Snapshot& s, const cv::
   if (x < 0 || y < 0 || x >= level.cols || y >= level.rows) return;
   const std::string text = format("%.1f, %.1f  grey %d  zoom %.2g", view.mouse.x(), view.mouse.y(),
                                   level.type() == CV_8UC1 ? level.at<unsigned char>(y, x) : 0, view.zoom);
-  outlinedText(ImGui::GetWindowDrawList(), {view.lo.x + grid(2), view.lo.y + grid(1)}, ink::text, text.c_str());
+  darkText({view.lo.x + grid(2), view.lo.y + grid(1)}, ink::text, text);
 }
 
 // Overlays end at the image's border: beside it there is nothing they could refer to.

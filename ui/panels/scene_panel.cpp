@@ -185,17 +185,30 @@ void pickPoint(PanelContext& c, const SceneCamera& camera) {
   c.state.selection = best;
 }
 
+// Positions are those of the newest keyframe; landmarks may have come or gone since.
+std::string pointsText(const Snapshot& s) {
+  const std::string text = format("%d points", static_cast<int>(s.points->size()));
+  int newest = -1;
+  if (s.keyframes) {
+    for (const KeyframeView& k : *s.keyframes) newest = std::max(newest, k.id);
+  }
+  return newest < 0 ? text : text + format(", as of keyframe %d", newest);
+}
+
 void labels(PanelContext& c, const SceneCamera& camera) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const SceneContent& scene = c.caches.scene;
   ImVec2 at{camera.lo.x + grid(2), camera.lo.y + grid(1)};
   const auto entry = [&](Swatch kind, ImU32 color, const std::string& text) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x, line = ImGui::GetTextLineHeight() + grid(0.5f);
+    list->AddRectFilled({at.x - grid(1), at.y}, {at.x + grid(5) + width, at.y + line}, IM_COL32(0, 0, 0, 110));
     drawSwatch(kind, {at.x + grid(1.5f), at.y + ImGui::GetTextLineHeight() / 2}, grid(1), color);
-    outlinedText(list, {at.x + grid(4), at.y}, ink::text, text.c_str());
-    at.y += ImGui::GetTextLineHeight() + grid(0.5f);
+    list->AddText({at.x + grid(4), at.y}, ink::text, text.c_str());
+    at.y += line;
   };
   const SceneOptions& o = c.state.scene;
-  if (camera.hi.y - camera.lo.y < ImGui::GetFontSize() * 10) return;  // the map matters more
+  const ImVec2 room{camera.hi.x - camera.lo.x, camera.hi.y - camera.lo.y};
+  if (room.y < ImGui::GetFontSize() * 16 || room.x < ImGui::GetFontSize() * 22) return;  // the map matters more
   if (o.estimate) entry(Swatch::line, methodColor(c.info.method), methodName(c.info.method));
   const TruthState& truth = c.caches.truth.state();
   if (o.ground_truth && truth.valid) {
@@ -203,10 +216,11 @@ void labels(PanelContext& c, const SceneCamera& camera) {
   }
   if (o.points && c.snapshot->points) {
     const bool kind = o.color_by == PointColor::kind;
-    entry(Swatch::dot, kind ? okabe::green : ink::dim,
-          format("%d points%s", static_cast<int>(c.snapshot->points->size()), kind ? ", corners" : ""));
-    if (kind) entry(Swatch::dot, okabe::purple, "edgelets");
-    if (kind) entry(Swatch::dot, okabe::orange, "segments");
+    int counts[3] = {};
+    for (const MapPointView& p : *c.snapshot->points) ++counts[static_cast<int>(p.type)];
+    entry(Swatch::dot, kind ? okabe::green : ink::dim, pointsText(*c.snapshot));
+    if (kind && counts[1]) entry(Swatch::dot, okabe::purple, format("%d of them edgelets", counts[1]));
+    if (kind && counts[2]) entry(Swatch::dot, okabe::orange, format("%d of them segments", counts[2]));
   }
   if (o.points && o.color_by != PointColor::kind) {
     const auto [lo, hi] = scene.colorRange();

@@ -130,10 +130,10 @@ void sigmaHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
   }
   spec.y = padded(r, 0.1, true);
   Chart chart(spec);
-  chart.markY(gates.converged_fraction, {ink::threshold, 1, true}, "converged below");
   for (const Rule rule : kRules) {
     chart.line(t.step, t.rule[static_cast<int>(rule)].sigma_ratio, {ruleColor(rule), 1.8f, rule == Rule::kl});
   }
+  chart.markY(gates.converged_fraction, {ink::threshold, 1, true}, "converged below");
   stepping(c, chart, v);
 }
 
@@ -142,11 +142,11 @@ void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
   ChartSpec spec = historySpec("Inlier ratio history", "Inlier ratio a/(a+b)", t, size);
   spec.y = {0, 1};
   Chart chart(spec);
-  chart.markY(gates.min_ratio, {ink::threshold, 1, true}, "gate");
-  chart.markY(gates.reject_ratio, {ink::threshold, 1, true}, "rejected below");
   for (const Rule rule : kRules) {
     chart.line(t.step, t.rule[static_cast<int>(rule)].inlier_ratio, {ruleColor(rule), 1.8f, rule == Rule::kl});
   }
+  chart.markY(gates.min_ratio, {ink::threshold, 1, true}, "gate");
+  chart.markY(gates.reject_ratio, {ink::threshold, 1, true}, "rejected below");
   stepping(c, chart, v);
 }
 

@@ -24,7 +24,7 @@ void referenceRow(PanelContext& c, int keyframe) {
   valueRow("Reference", frame < 0 ? format("keyframe %d, removed", keyframe)
                                   : format("keyframe %d, frame %d", keyframe, frame));
   if (frame < 0) return;
-  ImGui::SameLine();
+  sameLineIfFits(ImGui::CalcTextSize("Show").x + 2 * grid(1.5f));
   const bool held = frame >= c.status.history_first;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), 0});
   if (button("Show", {"View the keyframe's frame", held ? nullptr : "That frame is no longer held"})) {
@@ -74,7 +74,11 @@ void seedRows(PanelContext& c, const SeedView& s) {
   valueRow("Inlier ratio", format("%.2f   Beta(%.1f, %.1f)", s.a / std::max(1e-6f, s.a + s.b), s.a, s.b));
   valueRow("σ / range", format("%.4f", s.range > 0 ? s.sigma / s.range : 0.0f));
   if (s.last_tau > 0) valueRow("Last measurement", format("%.4f ± %.4f", s.last_x, s.last_tau));
-  if (s.true_inv_distance > 0) valueRow("True distance", format("%.3f m", 1 / s.true_inv_distance));
+  if (s.true_inv_distance > 0) {
+    const double aligned = trueInverseDistance(c, s);
+    valueRow("True distance", format("%.3f m", 1 / s.true_inv_distance) +
+                                  (aligned > 0 ? format(" = %.3f map units", 1 / aligned) : std::string()));
+  }
   if (s.visible) valueRow("Mean at", px(s.px));
   referenceRow(c, s.keyframe_id);
 }

@@ -35,9 +35,10 @@ void stateParts(const PanelContext& c) {
 
 std::string engineText(const PanelContext& c) {
   const double mb = 1.0 / (1024 * 1024);
-  std::string text = format("%.1f fps", c.status.fps);
-  if (c.status.mapping_queue > 0) text += format("   queue %d", c.status.mapping_queue);
-  text += format("   history %.0f of %.0f MB", static_cast<double>(c.status.history_bytes) * mb,
+  // Of the time that the engine itself takes, not of how often it is asked for a frame.
+  std::string text = c.status.fps > 0 ? format("engine %.1f fps   ", c.status.fps) : std::string();
+  if (c.status.mapping_queue > 0) text += format("queue %d   ", c.status.mapping_queue);
+  text += format("history %.0f of %.0f MB", static_cast<double>(c.status.history_bytes) * mb,
                  static_cast<double>(c.status.history_budget) * mb);
   if (!c.size_text.empty()) text += "   " + c.size_text;
   return text;
@@ -50,7 +51,7 @@ void drawStatusBar(PanelContext& c) {
   gap();
   legendEntry(methodColor(c.info.method), Swatch::line, methodName(c.info.method));
   gap();
-  part(c.latest ? format("frame %d / %d", c.viewedFrame(), c.info.frames)
+  part(c.latest ? format("frame %d (%d of %d)", c.viewedFrame(), c.viewedFrame() + 1, c.info.frames)
                 : format("%d frames", c.info.frames));
   gap();
   stateParts(c);

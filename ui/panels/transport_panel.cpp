@@ -96,7 +96,9 @@ void speedControl(PanelContext& c) {
 void position(PanelContext& c) {
   if (c.live()) {
     const std::string text =
-        c.latest ? format("Frame %d of %d", c.engineFrame(), c.info.frames) : std::string("Not started");
+        !c.latest ? std::string("Not started")
+        : c.info.frames > 0 ? format("Frame %d (%d of %d)", c.engineFrame(), c.engineFrame() + 1, c.info.frames)
+                            : format("Frame %d", c.engineFrame());
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     sameLineIfFits(width);
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));

@@ -216,7 +216,9 @@ void Chart::markY(double value, const LineStyle& s, const std::string& label) {
   dashedLine(list_, {{lo_.x, y}, {hi_.x, y}}, s.color, dp(s.width), dp(4), s.dashed ? dp(4) : 0);
   if (label.empty()) return;
   const float w = ImGui::CalcTextSize(label.c_str()).x, font = ImGui::GetFontSize();
-  outlinedText(list_, {hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1}, s.color, label.c_str());
+  const ImVec2 p{hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1};
+  list_->AddRectFilled({p.x - grid(0.5f), p.y}, {hi_.x, p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
+  list_->AddText(p, s.color, label.c_str());
 }
 
 void Chart::shadeX(double lo, double hi, ImU32 color) {

@@ -195,10 +195,14 @@ void valueRow(const char* name, const std::string& value, ImU32 color) {
   const float value_x = std::max(column, start + ImGui::GetItemRectSize().x + grid(2));
   ImGui::SameLine(0, 0);
   ImGui::SetCursorPosX(value_x);  // unlike SameLine(x), right in table columns, too
+  float room = ImGui::GetContentRegionAvail().x;
+  if (room < ImGui::GetFontSize() * 7 && ImGui::CalcTextSize(value.c_str()).x > room) {  // below the name
+    ImGui::NewLine();
+    ImGui::SetCursorPosX(start + grid(3));
+    room = ImGui::GetContentRegionAvail().x;
+  }
   if (color) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(value.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(value, room).c_str());
   if (color) ImGui::PopStyleColor();
 }
 
@@ -215,10 +219,23 @@ void heading(const char* text) {
 
 void note(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
+}
+
+std::string wrapped(const std::string& text, float width) {
+  std::string result = text;
+  std::size_t line = 0;
+  for (std::size_t blank = text.find(' '); blank != std::string::npos;) {
+    const std::size_t next = text.find(' ', blank + 1);
+    const std::size_t end = next == std::string::npos ? text.size() : next;
+    if (ImGui::CalcTextSize(text.data() + line, text.data() + end).x > width) {
+      result[blank] = '\n';
+      line = blank + 1;
+    }
+    blank = next;
+  }
+  return result;
 }
 
 void emptyState(const char* title, const std::string& what_to_do) {

@@ -60,6 +60,8 @@ void valueRow(const char* name, const std::string& value, ImU32 color = 0);
 void heading(const char* text);
 /// Text in dim ink, wrapped.
 void note(const std::string& text);
+/// With line breaks at blanks so that it fits `width`; unlike ImGui's own, never inside of a number.
+std::string wrapped(const std::string& text, float width);
 /// A centred message for a panel that has nothing to show yet.
 void emptyState(const char* title, const std::string& what_to_do);
 

@@ -142,7 +142,10 @@ void drawLevels(const Frame& f, const PlotSpec& spec) {
     dashedLine(f.list, {{f.lo.x, y}, {f.hi.x, y}}, withAlpha(level.color, 0.9f), dp(1), dp(4), dp(4));
     const float width = ImGui::CalcTextSize(level.label.c_str()).x;
     const float ty = y - ImGui::GetFontSize() - 1 < f.lo.y ? y + 1 : y - ImGui::GetFontSize() - 1;
-    outlinedText(f.list, {f.hi.x - width - grid(1), ty}, level.color, level.label.c_str());
+    const ImVec2 at{f.lo.x + grid(1), ty};
+    f.list->AddRectFilled({at.x - grid(0.5f), ty}, {at.x + width + grid(0.5f), ty + ImGui::GetFontSize()},
+                          withAlpha(ink::canvas, 0.8f));
+    f.list->AddText(at, level.color, level.label.c_str());
   }
 }
 

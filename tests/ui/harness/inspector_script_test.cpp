@@ -54,7 +54,8 @@ TEST_P(InspectorScript, StepsScrubsAndRuns) {
 TEST_P(InspectorScript, SelectsFeaturesAndSeeds) {
   EXPECT_EQ(run("run-to 60\nselect feature any\nexpect selected.kind != none\n"
                 "select none\nexpect selected.kind == none\n"
-                "select seed any\nexpect selected.kind == seed\n"),
+                "select seed any\nexpect selected.kind == seed\nexpect seed.visible == 1\n"
+                "expect seed.status == active\nexpect seed.outcome == matched\n"),
             "");
 }
 

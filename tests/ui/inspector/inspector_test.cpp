@@ -8,11 +8,20 @@
 
 #include "tests/ui/inspector/inspector_fixture.h"
 #include "ui/panels/image_overlay.h"
+#include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
 namespace {
 
 using Kind = Command::Kind;
+
+TEST_F(InspectorTest, TextWrapsAtBlanksOnly) {
+  open();
+  frames(1);
+  EXPECT_EQ(wrapped("JS 0.4427 nats", 1), "JS\n0.4427\nnats");
+  EXPECT_EQ(wrapped("JS 0.4427 nats", 1e6f), "JS 0.4427 nats");
+  EXPECT_EQ(wrapped("", 1), "");
+}
 
 TEST_F(InspectorTest, TransportSendsCommands) {
   open();
