@@ -58,13 +58,11 @@ Window chooseWindow(const Map& map, const Keyframe& newest, const LocalAdjustmen
   for (const auto& [count, id] : ranked) {
     if (static_cast<int>(w.fixed.size()) < p.fixed_keyframes) w.fixed.insert(-id);
   }
-  // Without held keyframes the oldest one of the window holds the frame, the next one the scale.
-  while (w.fixed.size() < 2 && w.free.size() > 1) {
-    const int oldest = *w.free.begin();
-    if (oldest == newest.id) break;
-    w.fixed.insert(oldest);
-    w.free.erase(oldest);
-    if (w.free.size() <= 1) break;
+  // Without held keyframes the oldest one of the window holds the frame. The scale is left to the
+  // damping of the solver: holding the second pose too would keep the errors of the start for good.
+  if (w.fixed.empty() && *w.free.begin() != newest.id) {
+    w.fixed.insert(*w.free.begin());
+    w.free.erase(w.free.begin());
   }
   return w;
 }
