@@ -27,7 +27,7 @@ double peakRssMb() {
 }
 
 void countMap(const std::vector<MapPointView>& points, RunMetrics& metrics) {
-  std::set<std::int64_t> segments;  // both end points carry the segment's id
+  std::set<std::int64_t> segments;
   for (const MapPointView& point : points) {
     if (point.type == FeatureType::segment) {
       segments.insert(point.id);

@@ -35,7 +35,7 @@ struct SegmentParameters {
   int max_patches = 60;              ///< of all segments, for sparse image alignment
   // Pose
   double line_noise_px = 0.5;        ///< across the line, at an end of the measured piece
-  double max_depth_px = 0.5;           ///< a depth that leaves more doubt across the line does not enter the pose
+  double max_depth_px = 0.3;           ///< a depth that leaves more doubt across the line does not enter the pose
   double pose_sigma = 2;             ///< noise of a segment relative to a corner
   double min_scale = 0.3;            ///< floor of the robust scale, relative to line_noise_px
   double max_error_px = 2;           ///< an end point farther from its line makes an outlier

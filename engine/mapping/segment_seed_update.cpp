@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/match/segment_alignment.h"
+#include "engine/mapping/segment_alignment.h"
 
 namespace svoscope {
 

@@ -67,7 +67,8 @@ struct FrameRecord {
   double disparity_px = 0;      ///< two-view start: median disparity
   int landmarks = 0, seeds = 0, keyframes = 0;  ///< in the map after this frame
   int seeds_converged = 0, seeds_rejected = 0;  ///< during this frame
-  int seed_updates = 0;
+  int seed_updates = 0;         ///< measurements of point seeds during this frame
+  int segment_updates = 0;      ///< measurements of segment seeds during this frame
   bool relocalized = false;     ///< first good pose after a loss
   std::array<double, kStageCount> time_ms{};
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "engine/mapping/segment_refinement.h"
-#include "engine/match/segment_alignment.h"
+#include "engine/mapping/segment_alignment.h"
 
 namespace svoscope {
 

@@ -16,6 +16,7 @@ struct TrackedSegment {
   Mat3 covariance[2] = {Mat3::Zero(), Mat3::Zero()};
   double t[2] = {0, 1};              ///< visible part in space
   FeatureStatus status = FeatureStatus::inlier;
+  bool informs = false;              ///< entered the pose; others are followed for their depth
   double error_px = 0;               ///< root mean square of both distances after pose refinement
 
   Vec3 pointAt(double u) const { return (1 - u) * p_world[0] + u * p_world[1]; }

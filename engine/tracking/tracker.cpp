@@ -173,6 +173,7 @@ Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from) {
     if (!a.segments.segments.empty()) {
       const auto lines = segmentObservations(map_.camera, a.segments.segments, frame_.T_cam_world, parameters_.mapping.segments);
       a.pose = refinePose(map_.camera, observations, frame_.T_cam_world, parameters_.pose, lines, parameters_.mapping.segments);
+      for (std::size_t i = 0; i < lines.size(); ++i) a.segments.segments[i].informs = lines[i].informs;
     }
     stageMs(record_, Stage::pose) += watch.lapMs();
   }
@@ -288,7 +289,7 @@ void Tracker::finishRecord() {
     funnel.inlier_edgelets += f.anchor.type == FeatureType::edgelet;
   }
   for (const TrackedSegment& s : frame_.segments) {
-    if (s.status != FeatureStatus::inlier) continue;
+    if (s.status != FeatureStatus::inlier || !s.informs) continue;
     ++funnel.inlier_segments;
     ++(s.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
   }

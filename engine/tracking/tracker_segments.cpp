@@ -73,7 +73,7 @@ void Tracker::commitSegments() {
     if (s.status != FeatureStatus::inlier) m.outcome = SearchOutcome::no_match;
     const SeedStatus before = seed->status;
     applySegmentMeasurement(*seed, m, parameters_.mapping.filter);
-    record_.seed_updates += m.outcome == SearchOutcome::tracked;
+    record_.segment_updates += m.outcome == SearchOutcome::tracked;
     record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
     setSeedPose(*seed, keyframe, s);
@@ -166,7 +166,7 @@ void Tracker::applySegmentMapping(const MappingResult& result) {
     if (!seed || !alive(*seed)) continue;
     const SeedStatus before = seed->status;
     applySegmentMeasurement(*seed, m, filter);
-    record_.seed_updates += m.outcome == SearchOutcome::matched;
+    record_.segment_updates += m.outcome == SearchOutcome::matched;
     record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
@@ -177,7 +177,7 @@ void Tracker::applySegmentMapping(const MappingResult& result) {
     seed.id = map_.next_id++;
     seed.keyframe_id = keyframe->id;
     for (const SegmentMeasurement& m : fresh.measurements) applySegmentMeasurement(seed, m, filter);
-    record_.seed_updates += static_cast<int>(fresh.measurements.size());
+    record_.segment_updates += static_cast<int>(fresh.measurements.size());
     keyframe->segment_seeds.push_back(seed);
   }
 }

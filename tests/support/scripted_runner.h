@@ -101,13 +101,14 @@ inline std::vector<FrameRecord> fakeRecords(int count) {
 inline SnapshotPtr fakeSnapshot(const FrameRecord& record) {
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->record = record;
-  std::vector<MapPointView> points(5);
-  for (int i = 0; i < 5; ++i) {
-    points[i].id = i < 3 ? i : 3;
+  std::vector<MapPointView> points(4);
+  for (int i = 0; i < 4; ++i) {
+    points[i].id = i;
     points[i].position = Vec3f(1.5f * static_cast<float>(i), -1, 4);
     points[i].type = i < 3 ? FeatureType::corner : FeatureType::segment;
     points[i].observations = i;
   }
+  points[3].position_end = Vec3f(6, -1, 4);
   snapshot->points = std::make_shared<const std::vector<MapPointView>>(points);
   std::vector<KeyframeView> keyframes = {{0, 2, SE3(), nullptr, true}, {1, 7, SE3(), nullptr, true}};
   snapshot->keyframes = std::make_shared<const std::vector<KeyframeView>>(keyframes);

@@ -131,10 +131,10 @@ TEST(MapPly, CountsAndColumns) {
   ASSERT_TRUE(writeMapPly(folder / "map.ply", *snapshot->points, "js").ok());
   const std::string text = test::readText(folder / "map.ply");
   EXPECT_EQ(text.substr(0, 4), "ply\n");
-  EXPECT_NE(text.find("element vertex 6\n"), std::string::npos);
+  EXPECT_NE(text.find("element vertex 5\n"), std::string::npos);
   EXPECT_NE(text.find("comment seed rule js\n"), std::string::npos);
   EXPECT_NE(text.find("\nend_header\n0 -1 4 0 0 0 -1\n1.5 -1 4 0 1 0 -1\n"), std::string::npos);
-  EXPECT_NE(text.find("\n6 -1 4 0 4 2 -1\n0 0 0 0 4 2 -1\n"), std::string::npos);
+  EXPECT_NE(text.find("\n4.5 -1 4 0 3 2 -1\n6 -1 4 0 3 2 -1\n"), std::string::npos);
   EXPECT_TRUE(writeMapPly(folder / "empty.ply", {}, "kl").ok());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/match/segment_alignment.h"
+#include "engine/mapping/segment_alignment.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST_F(SegmentAlignmentTest, FindsTheLineToSubPixel) {
 }
 
 TEST_F(SegmentAlignmentTest, PartOfASegmentIsEnough) {
-  const SE3 T(so3Exp({0, -0.28, 0}), {0.05, 0, 0});
+  const SE3 T(so3Exp({0, -0.42, 0}), {0.05, 0, 0});
   const auto r = align(T, T);
   expectOnLine(r, T, 0.1);
   EXPECT_GT(r.t[0] + 1 - r.t[1], 0.1);  // an end is out of view

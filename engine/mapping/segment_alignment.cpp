@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/match/segment_alignment.h"
+#include "engine/mapping/segment_alignment.h"
 
 #include <algorithm>
 #include <cmath>
