@@ -179,13 +179,8 @@ class Reprojection {
     q.mu = seed.belief.mu;
     q.sigma = std::sqrt(seed.belief.sigma2);
     const EpipolarMatch match = searchEpipolar(q, mapping_.search, mapping_.alignment);
-    // The depth after this measurement: along the line it already agrees with the match.
-    Seed updated = seed;
-    updated.has_shadow = false;
-    if (match.outcome == SearchOutcome::matched)
-      applyMeasurement(updated, {seed.id, keyframe.id, frame_.index, SearchOutcome::tracked, match.inv_distance, match.tau},
-                       mapping_.filter);
-    const bool ok = match.outcome == SearchOutcome::matched && updated.belief.mu > 0;
+    const double inv_distance = fusedInverseDistance(seed.belief, match.inv_distance, match.tau);
+    const bool ok = match.outcome == SearchOutcome::matched && inv_distance > 0;
     out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id, keyframe.id,
                                  ok ? SearchOutcome::tracked : match.outcome, match.score});
     if (!ok) return false;
@@ -193,7 +188,9 @@ class Reprojection {
     f.anchor.level = match.level;
     f.anchor.gradient_dir = match.gradient_dir;
     setMeasured(match.px, f);
-    f.p_world = seedPoint(updated, keyframe);
+    // Along the line this depth agrees with the match: what is left is the error across, which informs
+    // the pose under either rule of the filter.
+    f.p_world = keyframe.T_cam_world.inverse() * (seed.anchor.f / inv_distance);
     return true;
   }
 
@@ -225,6 +222,11 @@ bool overlaps(const Map& map, const Keyframe& keyframe, const SE3& T_cam_world) 
 }
 
 }  // namespace
+
+double fusedInverseDistance(const Belief& belief, double x, double tau) {
+  const double belief_weight = 1 / belief.sigma2, weight = 1 / (tau * tau);
+  return (belief.mu * belief_weight + x * weight) / (belief_weight + weight);
+}
 
 Vec3 seedPoint(const Seed& seed, const Keyframe& keyframe) {
   return keyframe.T_cam_world.inverse() * (seed.anchor.f / seed.belief.mu);

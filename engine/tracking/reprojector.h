@@ -46,6 +46,10 @@ ReprojectionResult reprojectMap(const Map& map, const Frame& frame, const Reproj
 /// Ids of the keyframes that share the view of `frame`, nearest first, at most `most`.
 std::vector<int> overlappingKeyframes(const Map& map, const SE3& T_cam_world, int most);
 
+/// Inverse distance if the measurement x +/- tau is right: the product of both Gaussians, without the
+/// filter's doubt.
+double fusedInverseDistance(const Belief& belief, double x, double tau);
+
 /// Point of a seed in the world, at its current mean.
 Vec3 seedPoint(const Seed& seed, const Keyframe& keyframe);
 
