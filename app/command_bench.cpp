@@ -87,8 +87,8 @@ int runAndReport(const Arguments& arguments, const BenchConfig& config, BenchOpt
     return kExitInterrupted;
   }
   if (options.shards > 1) {
-    std::fprintf(stderr, "shard %d of %d is done; when all are: svoscope bench --report --out %s\n", options.shard,
-                 options.shards, arguments.out.c_str());
+    std::fprintf(stderr, "shard %d of %d is done; when all are: svoscope bench --report --out %s\n",
+                 options.shard, options.shards, arguments.out.c_str());
     return kExitDone;
   }
   return reportOn(arguments.out);
@@ -98,9 +98,11 @@ int runBenchCommand(const Arguments& arguments) {
   const std::string help = "see svoscope bench --help";
   BenchOptions options;
   if (!parseShard(arguments.shard, options.shard, options.shards))
-    return reportError(usageError("'" + arguments.shard + "' is not k/n with 1 <= k <= n", "--shard", "as in --shard 2/8"));
+    return reportError(usageError("'" + arguments.shard + "' is not k/n with 1 <= k <= n",
+                                  "--shard", "as in --shard 2/8"));
   if (!arguments.merge.empty() || (arguments.report && arguments.config.empty())) {
-    if (!arguments.config.empty()) return reportError(usageError("--merge takes folders only", arguments.config, help));
+    if (!arguments.config.empty())
+      return reportError(usageError("--merge takes folders only", arguments.config, help));
     if (arguments.out.empty()) return reportError(usageError("--out is missing", "", help));
     return arguments.merge.empty() ? reportOn(arguments.out) : mergeAndReport(arguments);
   }
@@ -120,17 +122,21 @@ void addBenchCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("bench", "Run methods on many sequences and report");
   command->footer(kFooter);
   command->add_option("CONFIG", arguments->config, "YAML file: what to run");
-  command->add_option("--out", arguments->out, "Folder of runs and report, made if absent")->type_name("DIR");
+  command->add_option("--out", arguments->out, "Folder of runs and report, made if absent")
+      ->type_name("DIR");
   command->add_option("--jobs", arguments->jobs, "Runs at a time; more than one disturbs times")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--shard", arguments->shard, "Only part k of n")->type_name("K/N");
-  command->add_option("--merge", arguments->merge, "Take the runs of these folders together in DIR")->type_name("DIR...");
+  command->add_option("--merge", arguments->merge, "Take the runs of these folders together in DIR")
+      ->type_name("DIR...");
   command->add_flag("--report", arguments->report, "Only write the report of what is in DIR");
   command->add_flag("--list", arguments->list, "Only print the runs");
   command->add_flag("--retry-failed", arguments->retry_failed, "Run those again that failed");
-  command->add_flag("--any-build", arguments->any_build, "Keep runs of another build of the program");
-  command->callback([arguments, &action] { action = [arguments] { return runBenchCommand(*arguments); }; });
+  command->add_flag("--any-build", arguments->any_build,
+                    "Keep runs of another build of the program");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return runBenchCommand(*arguments); }; });
 }
 
 }  // namespace svoscope

@@ -32,16 +32,17 @@ Status addTimes(TrajectoryFile& file, const std::string& times_file) {
   const auto rows = readTextRows(times_file, "one time in seconds a line");
   if (!rows.ok()) return rows.error();
   if (rows.value().size() != file.poses.size()) {
-    return inputError(fmt::format("{} times for {} rows", rows.value().size(), file.poses.size()), times_file,
-                      "give one time for each row of the trajectory");
+    return inputError(fmt::format("{} times for {} rows", rows.value().size(), file.poses.size()),
+                      times_file, "give one time for each row of the trajectory");
   }
   for (std::size_t i = 0; i < file.poses.size(); ++i) {
-    const auto number = finiteNumbers(rows.value()[i], 0, 1, times_file, "one time in seconds a line");
+    const auto number =
+        finiteNumbers(rows.value()[i], 0, 1, times_file, "one time in seconds a line");
     if (!number.ok()) return number.error();
     file.poses[i].timestamp = number.value()[0];
     if (i > 0 && file.poses[i].timestamp <= file.poses[i - 1].timestamp) {
-      return inputError("the time is not later than the one above", place(times_file, rows.value()[i].line),
-                        "times increase from row to row");
+      return inputError("the time is not later than the one above",
+                        place(times_file, rows.value()[i].line), "times increase from row to row");
     }
   }
   return Done{};
@@ -51,7 +52,8 @@ Status checkTimes(const Arguments& arguments, bool rows) {
   if (!rows && !arguments.times.empty())
     return usageError("the trajectory has timestamps of its own", "--times", "leave it out");
   if (rows && arguments.times.empty() && arguments.to != "kitti")
-    return inputError("KITTI rows have no timestamps", arguments.trajectory, "give them with --times FILE");
+    return inputError("KITTI rows have no timestamps", arguments.trajectory,
+                      "give them with --times FILE");
   return Done{};
 }
 
@@ -87,8 +89,10 @@ void addConvertCommand(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"tum", "euroc", "kitti"}))
       ->required();
   command->add_option("--out", arguments->out, "File to write")->required()->type_name("FILE");
-  command->add_option("--times", arguments->times, "Times of KITTI rows, seconds, one a line")->type_name("FILE");
-  command->callback([arguments, &action] { action = [arguments] { return runConvert(*arguments); }; });
+  command->add_option("--times", arguments->times, "Times of KITTI rows, seconds, one a line")
+      ->type_name("FILE");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return runConvert(*arguments); }; });
 }
 
 }  // namespace svoscope

@@ -113,13 +113,16 @@ std::string shortened(const std::string& name, std::size_t width) {
 std::string associationText(const EvalOptions& o) {
   if (o.by_row) return "row";
   const std::string text = fmt::format("timestamp within {} s", o.max_dt);
-  return o.time_offset == 0 ? text : text + fmt::format(", {:+} s added to the estimates'", o.time_offset);
+  return o.time_offset == 0 ? text
+                            : text + fmt::format(", {:+} s added to the estimates'", o.time_offset);
 }
 
 std::string alignmentText(const EvalOptions& o) {
   if (o.alignment == Alignment::none) return "none: positions as given";
-  const std::string poses = o.align_first > 0 ? fmt::format("the first {} matches", o.align_first) : "all matches";
-  const char* free = o.alignment == Alignment::se3 ? "rotation and translation" : "rotation, translation and scale";
+  const std::string poses =
+      o.align_first > 0 ? fmt::format("the first {} matches", o.align_first) : "all matches";
+  const char* free = o.alignment == Alignment::se3 ? "rotation and translation"
+                                                   : "rotation, translation and scale";
   return fmt::format("{}: {}, on {}", alignmentName(o.alignment), free, poses);
 }
 
@@ -150,7 +153,8 @@ int runEval(const Arguments& arguments) {
     if (!delta.ok()) return reportError(delta.error());
   }
   if (arguments.align_first != 0 && arguments.align == "none") {
-    return reportError(usageError("nothing is aligned with --align none", "--align-first", "leave one of them out"));
+    return reportError(usageError("nothing is aligned with --align none", "--align-first",
+                                  "leave one of them out"));
   }
   const auto gt = load(arguments.ground_truth, RepeatedStamps::warn);
   if (!gt.ok()) return reportError(gt.error());
@@ -203,7 +207,9 @@ void addEvalCommand(CLI::App& app, Action& action) {
                       "Interval of the RPE: 1s, 30f (frames), 10m [1s; 10m for KITTI rows]");
   command->add_flag("--all-pairs", arguments->all_pairs,
                     "RPE over all pairs, not consecutive ones");
-  command->add_option("--plots", arguments->plots, "Folder for trajectories.svg, error.svg, errors.csv")
+  command
+      ->add_option("--plots", arguments->plots,
+                   "Folder for trajectories.svg, error.svg, errors.csv")
       ->type_name("DIR");
   command->add_flag("--json", arguments->json, "One JSON object a line for each estimate");
   command->callback([arguments, &action] { action = [arguments] { return runEval(*arguments); }; });

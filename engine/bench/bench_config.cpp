@@ -31,15 +31,16 @@ class Reader {
     config_.text = text;
     config_.title = yaml_.file().stem().string();
     yaml_.requireKeys(root,
-                      {"title", "sequences", "methods", "variants", "parameters", "runs", "mode", "max_frames",
-                       "timeout_s", "least_tracked", "eval", "peers"},
+                      {"title", "sequences", "methods", "variants", "parameters", "runs", "mode",
+                       "max_frames", "timeout_s", "least_tracked", "eval", "peers"},
                       "the configuration");
     if (root["title"]) config_.title = yaml_.text(root["title"], "title");
     if (root["max_frames"]) max_frames_ = yaml_.integer(root["max_frames"], "max_frames", 1, kMost);
     if (root["runs"]) config_.runs = yaml_.integer(root["runs"], "runs", 1, 1000);
     if (root["mode"]) config_.sync = oneOf(root["mode"], "mode", {"threaded", "sync"}) == "sync";
     if (root["timeout_s"]) config_.timeout_s = yaml_.number(root["timeout_s"], "timeout_s", 1, 1e7);
-    if (root["least_tracked"]) config_.least_tracked = yaml_.number(root["least_tracked"], "least_tracked", 0, 1);
+    if (root["least_tracked"])
+      config_.least_tracked = yaml_.number(root["least_tracked"], "least_tracked", 0, 1);
     readSequences(root["sequences"]);
     readMethods(root["methods"]);
     if (root["parameters"]) config_.parameters = assignments(root["parameters"], "parameters");
@@ -52,7 +53,8 @@ class Reader {
  private:
   static constexpr int kMost = 1000000000;
 
-  std::string oneOf(const YAML::Node& node, const std::string& what, const std::vector<std::string>& allowed) {
+  std::string oneOf(const YAML::Node& node, const std::string& what,
+                    const std::vector<std::string>& allowed) {
     const std::string value = yaml_.text(node, what);
     std::string list;
     for (const std::string& a : allowed) list += (list.empty() ? "" : ", ") + a;
@@ -63,20 +65,23 @@ class Reader {
 
   const YAML::Node& list(const YAML::Node& node, const std::string& key) {
     if (!node.IsDefined() || !node.IsSequence() || node.size() == 0)
-      yaml_.fail(node, fmt::format("'{}' is missing or not a list", key), fmt::format("write '{}: [...]'", key));
+      yaml_.fail(node, fmt::format("'{}' is missing or not a list", key),
+                 fmt::format("write '{}: [...]'", key));
     return node;
   }
 
   /// Names become folders and stand in tables.
   void checkName(const YAML::Node& node, const std::string& name, const std::string& what) {
-    const bool good = !name.empty() && name[0] != '.' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-      return std::isalnum(c) || c == '.' || c == '_' || c == '-';
-    });
+    const bool good = !name.empty() && name[0] != '.' &&
+                      std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                        return std::isalnum(c) || c == '.' || c == '_' || c == '-';
+                      });
     if (!good)
       yaml_.fail(node, fmt::format("'{}' cannot be the name of a {}", name, what),
                  "letters, digits, '.', '_' and '-'; give another with 'name:'");
     if (!names_.insert(what + " " + name).second)
-      yaml_.fail(node, fmt::format("{} '{}' occurs twice", what, name), "give one of them another 'name:'");
+      yaml_.fail(node, fmt::format("{} '{}' occurs twice", what, name),
+                 "give one of them another 'name:'");
   }
 
   static std::string nameOf(const std::string& path) {
@@ -98,14 +103,18 @@ class Reader {
       if (entry.IsScalar()) {
         path = yaml_.text(entry, "sequence");
       } else {
-        yaml_.requireKeys(entry, {"path", "name", "group", "start", "max_frames", "still"}, "a sequence");
-        if (!entry["path"]) yaml_.fail(entry, "a sequence has no 'path'", "a folder, a video or synthetic:PRESET");
+        yaml_.requireKeys(entry, {"path", "name", "group", "start", "max_frames", "still"},
+                          "a sequence");
+        if (!entry["path"])
+          yaml_.fail(entry, "a sequence has no 'path'", "a folder, a video or synthetic:PRESET");
         path = yaml_.text(entry["path"], "path");
         if (entry["name"]) sequence.name = yaml_.text(entry["name"], "name");
         if (entry["group"]) sequence.group = yaml_.text(entry["group"], "group");
-        if (entry["still"]) sequence.still = oneOf(entry["still"], "still", {"true", "false"}) == "true";
+        if (entry["still"])
+          sequence.still = oneOf(entry["still"], "still", {"true", "false"}) == "true";
         if (entry["start"]) sequence.start = yaml_.integer(entry["start"], "start", 0, kMost);
-        if (entry["max_frames"]) sequence.max_frames = yaml_.integer(entry["max_frames"], "max_frames", 1, kMost);
+        if (entry["max_frames"])
+          sequence.max_frames = yaml_.integer(entry["max_frames"], "max_frames", 1, kMost);
       }
       if (isSyntheticSpec(path)) {
         const auto spec = parseSyntheticSpec(path);
@@ -143,12 +152,14 @@ class Reader {
         continue;
       }
       for (const auto& inner : entry.second)
-        assign(result, inner.first, key + "." + yaml_.text(inner.first, what), yaml_.text(inner.second, key));
+        assign(result, inner.first, key + "." + yaml_.text(inner.first, what),
+               yaml_.text(inner.second, key));
     }
     return result;
   }
 
-  void assign(Assignments& result, const YAML::Node& node, const std::string& key, const std::string& value) {
+  void assign(Assignments& result, const YAML::Node& node, const std::string& key,
+              const std::string& value) {
     Parameters scratch;
     const Status set = setParameter(scratch, key, value);
     // An older program's configuration can still be reported on.
@@ -173,10 +184,13 @@ class Reader {
   void readEvaluation(const YAML::Node& node) {
     EvalOptions& e = config_.evaluation;
     yaml_.requireKeys(node, {"align", "align_first", "max_dt", "delta", "all_pairs"}, "eval");
-    if (node["align"]) e.alignment = parseAlignment(oneOf(node["align"], "align", {"none", "se3", "sim3"})).value();
-    if (node["align_first"]) e.align_first = yaml_.integer(node["align_first"], "align_first", 3, kMost);
+    if (node["align"])
+      e.alignment = parseAlignment(oneOf(node["align"], "align", {"none", "se3", "sim3"})).value();
+    if (node["align_first"])
+      e.align_first = yaml_.integer(node["align_first"], "align_first", 3, kMost);
     if (node["max_dt"]) e.max_dt = yaml_.number(node["max_dt"], "max_dt", 0, 1e6);
-    if (node["all_pairs"]) e.all_pairs = oneOf(node["all_pairs"], "all_pairs", {"true", "false"}) == "true";
+    if (node["all_pairs"])
+      e.all_pairs = oneOf(node["all_pairs"], "all_pairs", {"true", "false"}) == "true";
     if (node["delta"]) {
       const auto delta = parseDelta(yaml_.text(node["delta"], "delta"));
       if (!delta.ok()) yaml_.fail(node["delta"], delta.error().what, delta.error().remedy);
@@ -193,10 +207,12 @@ class Reader {
       if (peer.files.find("{sequence}") == std::string::npos)
         yaml_.fail(entry["files"], "'files' has no {sequence}", "as in folder/orb-{sequence}.txt");
       if (peer.label.empty() || peer.label[0] == '.' || peer.label.find('/') != std::string::npos)
-        yaml_.fail(entry["label"], fmt::format("'{}' cannot be a label", peer.label), "it becomes a folder's name");
+        yaml_.fail(entry["label"], fmt::format("'{}' cannot be a label", peer.label),
+                   "it becomes a folder's name");
       peer.files = resolved(peer.files);
       if (!names_.insert("peer " + peer.label).second)
-        yaml_.fail(entry, fmt::format("peer '{}' occurs twice", peer.label), "give it another label");
+        yaml_.fail(entry, fmt::format("peer '{}' occurs twice", peer.label),
+                   "give it another label");
       config_.peers.push_back(peer);
     }
   }
@@ -215,8 +231,8 @@ std::vector<BenchSystem> BenchConfig::systems() const {
   for (std::size_t v = 0; v < variants.size(); ++v) {
     for (const std::string& method : methods) {
       const std::string& name = variants[v].name;
-      result.push_back({name.empty() ? method : method + " " + name, name.empty() ? method : method + "+" + name,
-                        method, static_cast<int>(v)});
+      result.push_back({name.empty() ? method : method + " " + name,
+                        name.empty() ? method : method + "+" + name, method, static_cast<int>(v)});
     }
   }
   return result;
@@ -226,7 +242,8 @@ Result<BenchConfig> loadBenchConfig(const fs::path& file, BenchConfigUse use) {
   std::ifstream in(file, std::ios::binary);
   std::error_code ec;
   if (!in || fs::is_directory(file, ec))
-    return inputError("cannot be read", file.string(), "give a benchmark configuration (docs/bench.md)");
+    return inputError("cannot be read", file.string(),
+                      "give a benchmark configuration (docs/bench.md)");
   std::stringstream text;
   text << in.rdbuf();
   try {

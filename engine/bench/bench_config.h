@@ -16,10 +16,10 @@ namespace svoscope {
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 
 struct BenchSequence {
-  std::string name;   ///< in tables and of folders; unique
-  std::string path;   ///< as openSequence takes it
-  std::string group;  ///< heading in the tables: "TUM RGB-D"
-  int start = 0;      ///< first frame
+  std::string name;    ///< in tables and of folders; unique
+  std::string path;    ///< as openSequence takes it
+  std::string group;   ///< heading in the tables: "TUM RGB-D"
+  int start = 0;       ///< first frame
   int max_frames = 0;  ///< 0: all
   bool still = false;  ///< the camera does not move: not to start is right
 };
@@ -66,10 +66,10 @@ enum class BenchConfigUse {
   report,  ///< only names are needed: variables of the environment may be missing
 };
 
-/// Reads and checks a configuration. "${NAME}" is replaced from the environment; relative paths count
-/// from the folder of the file. Input errors name file, line, what is allowed: unknown keys, methods,
-/// presets and parameters, values out of range, names that repeat or cannot be a folder's. A folder
-/// that does not exist is no error here: its cells fail with that reason.
+/// Reads and checks a configuration. "${NAME}" is replaced from the environment; relative paths
+/// count from the folder of the file. Input errors name file, line, what is allowed: unknown keys,
+/// methods, presets and parameters, values out of range, names that repeat or cannot be a folder's.
+/// A folder that does not exist is no error here: its cells fail with that reason.
 Result<BenchConfig> loadBenchConfig(const std::filesystem::path& file,
                                     BenchConfigUse use = BenchConfigUse::run);
 

@@ -17,10 +17,12 @@ namespace {
 /// Which cells there are and with what parameters; not where the data lie.
 std::string planOf(const BenchConfig& config) {
   std::string text;
-  for (const BenchSequence& s : config.sequences) text += fmt::format("{} {} {}\n", s.name, s.start, s.max_frames);
+  for (const BenchSequence& s : config.sequences)
+    text += fmt::format("{} {} {}\n", s.name, s.start, s.max_frames);
   for (const BenchSystem& s : config.systems()) {
     text += s.folder;
-    for (const auto& [key, value] : config.variants[static_cast<std::size_t>(s.variant)].set) text += fmt::format(" {}={}", key, value);
+    for (const auto& [key, value] : config.variants[static_cast<std::size_t>(s.variant)].set)
+      text += fmt::format(" {}={}", key, value);
     text += "\n";
   }
   for (const auto& [key, value] : config.parameters) text += fmt::format("{}={}\n", key, value);
@@ -35,7 +37,9 @@ Status copyWhole(const fs::path& from, const fs::path& to) {
   if (!made.ok()) return made;
   const fs::path temporary = temporaryBeside(to);
   fs::copy(from, temporary, fs::copy_options::recursive, ec);
-  if (ec) return outputError("cannot be copied: " + ec.message(), to.string(), "choose a folder with free space");
+  if (ec)
+    return outputError("cannot be copied: " + ec.message(), to.string(),
+                       "choose a folder with free space");
   return moveIntoPlace(temporary, to);
 }
 
@@ -70,15 +74,16 @@ Status mergeBench(const std::vector<fs::path>& dirs, const fs::path& out) {
     if (!config.ok()) return config.error();
     configs.push_back(std::move(config).value());
     if (planOf(configs.back()) != planOf(configs.front()))
-      return inputError("is a benchmark of another configuration than " + dirs.front().string(), dir.string(),
-                        "merge shards of one configuration");
+      return inputError("is a benchmark of another configuration than " + dirs.front().string(),
+                        dir.string(), "merge shards of one configuration");
   }
   std::error_code ec;
   if (fs::exists(out / "bench.yaml", ec)) {
     const auto there = loadBenchConfig(out / "bench.yaml", BenchConfigUse::report);
     if (!there.ok()) return there.error();
     if (planOf(there.value()) != planOf(configs.front()))
-      return inputError("holds a benchmark of another configuration", out.string(), "choose an empty folder");
+      return inputError("holds a benchmark of another configuration", out.string(),
+                        "choose an empty folder");
   }
   Status status = makeFolder(out);
   for (std::size_t i = 0; i < dirs.size() && status.ok(); ++i) {

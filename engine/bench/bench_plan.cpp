@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path factsFolder(const fs::path& dir, const BenchSequence& sequence) { return dir / "sequences" / sequence.name; }
+fs::path factsFolder(const fs::path& dir, const BenchSequence& sequence) {
+  return dir / "sequences" / sequence.name;
+}
 
 }  // namespace
 
@@ -33,7 +35,8 @@ std::vector<BenchCell> cellsOf(const BenchConfig& config) {
     for (std::size_t s = 0; s < config.sequences.size(); ++s) {
       for (std::size_t m = 0; m < systems.size(); ++m) {
         cells.push_back({static_cast<int>(s), static_cast<int>(m), run,
-                         fs::path("cells") / config.sequences[s].name / systems[m].folder / fmt::format("run-{}", run)});
+                         fs::path("cells") / config.sequences[s].name / systems[m].folder /
+                             fmt::format("run-{}", run)});
       }
     }
   }
@@ -42,8 +45,9 @@ std::vector<BenchCell> cellsOf(const BenchConfig& config) {
 
 std::string SequenceFacts::signature() const {
   if (!error.empty()) return "absent";
-  return fmt::format("{} frames {:.6f} to {:.6f} s, {} x {}", times.size(), times.empty() ? 0 : times.front(),
-                     times.empty() ? 0 : times.back(), width, height);
+  return fmt::format("{} frames {:.6f} to {:.6f} s, {} x {}", times.size(),
+                     times.empty() ? 0 : times.front(), times.empty() ? 0 : times.back(), width,
+                     height);
 }
 
 SequenceFacts probeSequence(const BenchSequence& sequence) {
@@ -57,7 +61,8 @@ SequenceFacts probeSequence(const BenchSequence& sequence) {
   facts.width = s.camera().pinhole.width;
   facts.height = s.camera().pinhole.height;
   facts.ground_truth = s.groundTruth();
-  const int end = sequence.max_frames > 0 ? std::min(s.size(), sequence.start + sequence.max_frames) : s.size();
+  const int end =
+      sequence.max_frames > 0 ? std::min(s.size(), sequence.start + sequence.max_frames) : s.size();
   for (int i = sequence.start; i < end; ++i) facts.times.push_back(s.timestamp(i));
   return facts;
 }
@@ -67,7 +72,8 @@ Status writeFacts(const fs::path& dir, const BenchSequence& sequence, const Sequ
   Status status = makeFolder(folder);
   std::string times;
   for (const double t : facts.times) times += fmt::format("{:.6f}\n", t);
-  if (status.ok() && !facts.ground_truth.empty()) status = writeTumTrajectory(folder / "groundtruth.txt", facts.ground_truth);
+  if (status.ok() && !facts.ground_truth.empty())
+    status = writeTumTrajectory(folder / "groundtruth.txt", facts.ground_truth);
   if (status.ok()) status = writeWhole(folder / "times.txt", times);
   return status;
 }
@@ -80,37 +86,45 @@ SequenceFacts readFacts(const fs::path& dir, const BenchSequence& sequence) {
     facts.error = "not opened yet";
     return facts;
   }
-  for (const TextRow& row : rows.value()) facts.times.push_back(parseNumber(row.fields[0]).value_or(0));
+  for (const TextRow& row : rows.value())
+    facts.times.push_back(parseNumber(row.fields[0]).value_or(0));
   const auto truth = loadTrajectory(folder / "groundtruth.txt");
   if (truth.ok()) facts.ground_truth = truth.value().poses;
   return facts;
 }
 
-std::vector<std::string> cellArguments(const BenchConfig& config, const BenchCell& cell, const std::string& path) {
+std::vector<std::string> cellArguments(const BenchConfig& config, const BenchCell& cell,
+                                       const std::string& path) {
   const BenchSequence& sequence = config.sequences[static_cast<std::size_t>(cell.sequence)];
   const BenchSystem system = config.systems()[static_cast<std::size_t>(cell.system)];
   std::vector<std::string> arguments = {"run", path, "--method", system.method};
   if (config.sync) arguments.push_back("--sync");
-  if (sequence.start > 0) arguments.insert(arguments.end(), {"--start", std::to_string(sequence.start)});
-  if (sequence.max_frames > 0) arguments.insert(arguments.end(), {"--max-frames", std::to_string(sequence.max_frames)});
+  if (sequence.start > 0)
+    arguments.insert(arguments.end(), {"--start", std::to_string(sequence.start)});
+  if (sequence.max_frames > 0)
+    arguments.insert(arguments.end(), {"--max-frames", std::to_string(sequence.max_frames)});
   const auto add = [&](const Assignments& set) {
-    for (const auto& [key, value] : set) arguments.insert(arguments.end(), {"--set", key + "=" + value});
+    for (const auto& [key, value] : set)
+      arguments.insert(arguments.end(), {"--set", key + "=" + value});
   };
   add(config.parameters);
   add(config.variants[static_cast<std::size_t>(system.variant)].set);
   return arguments;
 }
 
-std::string cellFingerprint(const BenchConfig& config, const BenchCell& cell, const SequenceFacts& facts) {
+std::string cellFingerprint(const BenchConfig& config, const BenchCell& cell,
+                            const SequenceFacts& facts) {
   const BenchSequence& sequence = config.sequences[static_cast<std::size_t>(cell.sequence)];
   const BenchSystem system = config.systems()[static_cast<std::size_t>(cell.system)];
   Parameters parameters;
-  for (const auto& [key, value] : config.parameters) (void)setParameter(parameters, key, value).ok();
+  for (const auto& [key, value] : config.parameters)
+    (void)setParameter(parameters, key, value).ok();
   for (const auto& [key, value] : config.variants[static_cast<std::size_t>(system.variant)].set)
     (void)setParameter(parameters, key, value).ok();
   // The text of a rendered sequence says what is in it, that of a folder only where it lies.
   const std::string scene = sequence.path.rfind("synthetic:", 0) == 0 ? sequence.path : "";
-  return fingerprintOf(parametersYaml(parameters, system.method) + (config.sync ? "sync" : "threaded") + scene +
+  return fingerprintOf(parametersYaml(parameters, system.method) +
+                       (config.sync ? "sync" : "threaded") + scene +
                        std::to_string(sequence.start) + facts.signature());
 }
 

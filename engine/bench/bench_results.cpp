@@ -53,15 +53,19 @@ std::vector<double> lostTimes(const fs::path& folder) {
   std::ifstream in(folder / "frames.csv");
   std::string line;
   while (std::getline(in, line)) {
-    const std::size_t first = line.find(','), second = line.find(',', first + 1), third = line.find(',', second + 1);
-    if (first == std::string::npos || second == std::string::npos || third == std::string::npos) continue;
+    const std::size_t first = line.find(','), second = line.find(',', first + 1),
+                      third = line.find(',', second + 1);
+    if (first == std::string::npos || second == std::string::npos || third == std::string::npos)
+      continue;
     const auto time = parseNumber(line.substr(first + 1, second - first - 1));
-    if (time && line.substr(second + 1, third - second - 1).find("lost") != std::string::npos) times.push_back(*time);
+    if (time && line.substr(second + 1, third - second - 1).find("lost") != std::string::npos)
+      times.push_back(*time);
   }
   return times;
 }
 
-void evaluateInto(RunResult& run, const Trajectory& truth, const Trajectory& estimate, const EvalOptions& options) {
+void evaluateInto(RunResult& run, const Trajectory& truth, const Trajectory& estimate,
+                  const EvalOptions& options) {
   if (truth.empty()) return;  // then there are no errors, but all else
   if (estimate.empty()) {
     run.why = "no pose";
@@ -93,7 +97,8 @@ void judge(RunResult& run, double least_tracked) {
   run.good = true;
 }
 
-RunResult readRun(const fs::path& folder, int number, const SequenceFacts& facts, const BenchConfig& config) {
+RunResult readRun(const fs::path& folder, int number, const SequenceFacts& facts,
+                  const BenchConfig& config) {
   RunResult run;
   run.run = number;
   const auto record = readCellRecord(folder);
@@ -107,24 +112,39 @@ RunResult readRun(const fs::path& folder, int number, const SequenceFacts& facts
   readMetrics(folder, run.figures);
   run.lost = lostTimes(folder);
   const auto trajectory = loadTrajectory(folder / "trajectory.txt");
-  if (trajectory.ok() && run.why.empty()) evaluateInto(run, facts.ground_truth, trajectory.value().poses, config.evaluation);
+  if (trajectory.ok() && run.why.empty())
+    evaluateInto(run, facts.ground_truth, trajectory.value().poses, config.evaluation);
   if (!trajectory.ok() && run.why.empty()) run.why = "no trajectory";
   judge(run, config.least_tracked);
   return run;
 }
 
 /// Frames of the sequence, from the first pose on, that have a pose.
-std::optional<double> coverage(const std::vector<double>& times, const Trajectory& poses, double max_dt) {
+std::optional<double> coverage(const std::vector<double>& times, const Trajectory& poses,
+                               double max_dt) {
   int frames = 0, covered = 0;
   std::size_t j = 0;
   for (const double t : times) {
     if (t < poses.front().timestamp - max_dt) continue;
     ++frames;
-    while (j + 1 < poses.size() && std::abs(poses[j + 1].timestamp - t) <= std::abs(poses[j].timestamp - t)) ++j;
+    while (j + 1 < poses.size() &&
+           std::abs(poses[j + 1].timestamp - t) <= std::abs(poses[j].timestamp - t))
+      ++j;
     covered += std::abs(poses[j].timestamp - t) <= max_dt;
   }
   if (frames == 0) return std::nullopt;
   return static_cast<double>(covered) / frames;
+}
+
+/// The poses between the first and the last frame: a peer may have seen more of the sequence.
+Trajectory within(const std::vector<double>& times, const Trajectory& poses, double max_dt) {
+  if (times.empty()) return poses;
+  Trajectory inside;
+  for (const StampedPose& pose : poses) {
+    if (pose.timestamp >= times.front() - max_dt && pose.timestamp <= times.back() + max_dt)
+      inside.push_back(pose);
+  }
+  return inside;
 }
 
 RunResult readPeer(const fs::path& file, const SequenceFacts& facts, const BenchConfig& config) {
@@ -140,11 +160,17 @@ RunResult readPeer(const fs::path& file, const SequenceFacts& facts, const Bench
     run.why = trajectory.error().what;
     return run;
   }
-  const Trajectory& poses = trajectory.value().poses;
+  const Trajectory poses = within(facts.times, trajectory.value().poses, config.evaluation.max_dt);
+  if (poses.empty()) {
+    run.why = "no pose within the sequence";
+    return run;
+  }
   // Frames are told apart by less than half a frame.
-  const double half = facts.times.size() > 1 ? 0.5 * (facts.times[1] - facts.times[0]) : config.evaluation.max_dt;
+  const double half =
+      facts.times.size() > 1 ? 0.5 * (facts.times[1] - facts.times[0]) : config.evaluation.max_dt;
   run.figures.tracked = coverage(facts.times, poses, std::min(half, config.evaluation.max_dt));
-  if (!facts.times.empty()) run.figures.init_time_s = std::max(0.0, poses.front().timestamp - facts.times.front());
+  if (!facts.times.empty())
+    run.figures.init_time_s = std::max(0.0, poses.front().timestamp - facts.times.front());
   evaluateInto(run, facts.ground_truth, poses, config.evaluation);
   judge(run, config.least_tracked);
   return run;
@@ -169,8 +195,8 @@ const std::vector<FigureInfo>& figureTable() {
       {"relocalisations", "Relocalisations", "", 1, &F::relocalisations, false},
       {"relocalisation_time_s", "Relocalisation time", "s", 3, &F::relocalisation_time_s, true},
       {"fps", "Frames per second", "1/s", 0, &F::fps, false},
-      {"tracking_ms", "Tracking, median", "ms", 2, &F::tracking_ms, true},
-      {"mapping_ms", "Mapping, median", "ms", 2, &F::mapping_ms, true},
+      {"tracking_ms", "Tracking time", "ms", 2, &F::tracking_ms, true},
+      {"mapping_ms", "Mapping time", "ms", 2, &F::mapping_ms, true},
       {"points", "Points of the map", "", 0, &F::points, false},
       {"segments", "Segments of the map", "", 0, &F::segments, false},
       {"memory_mb", "Largest memory", "MiB", 0, &F::memory_mb, true},
@@ -198,7 +224,8 @@ std::optional<Spread> spreadOf(const std::vector<double>& values) {
   return s;
 }
 
-std::vector<double> BenchResults::values(std::size_t sequence, std::size_t system, const FigureInfo& info) const {
+std::vector<double> BenchResults::values(std::size_t sequence, std::size_t system,
+                                         const FigureInfo& info) const {
   std::vector<double> values;
   for (const RunResult& run : runs[sequence][system]) {
     const auto& value = run.figures.*info.value;
@@ -207,7 +234,8 @@ std::vector<double> BenchResults::values(std::size_t sequence, std::size_t syste
   return values;
 }
 
-std::optional<Spread> BenchResults::spread(std::size_t sequence, std::size_t system, const FigureInfo& info) const {
+std::optional<Spread> BenchResults::spread(std::size_t sequence, std::size_t system,
+                                           const FigureInfo& info) const {
   return spreadOf(values(sequence, system, info));
 }
 
@@ -227,7 +255,8 @@ std::string BenchResults::failure(std::size_t sequence, std::size_t system) cons
   std::vector<std::string> reasons;
   for (const RunResult& run : runs[sequence][system]) {
     if (run.good) return "";
-    if (std::find(reasons.begin(), reasons.end(), run.why) == reasons.end()) reasons.push_back(run.why);
+    if (std::find(reasons.begin(), reasons.end(), run.why) == reasons.end())
+      reasons.push_back(run.why);
   }
   std::string text;
   for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
@@ -242,13 +271,14 @@ Result<BenchResults> readBenchResults(const fs::path& dir) {
   const BenchConfig& c = results.config;
   for (const BenchSystem& system : c.systems()) results.systems.push_back({system, false});
   results.own = static_cast<int>(results.systems.size());
-  for (const BenchPeer& peer : c.peers) results.systems.push_back({{peer.label, peer.label, "", 0}, true});
+  for (const BenchPeer& peer : c.peers)
+    results.systems.push_back({{peer.label, peer.label, "", 0}, true});
   for (const BenchSequence& sequence : c.sequences) {
     results.facts.push_back(readFacts(dir, sequence));
     results.runs.emplace_back(results.systems.size());
     for (std::size_t p = 0; p < c.peers.size(); ++p)
-      results.runs.back()[static_cast<std::size_t>(results.own) + p].push_back(
-          readPeer(dir / "peers" / c.peers[p].label / (sequence.name + ".txt"), results.facts.back(), c));
+      results.runs.back()[static_cast<std::size_t>(results.own) + p].push_back(readPeer(
+          dir / "peers" / c.peers[p].label / (sequence.name + ".txt"), results.facts.back(), c));
   }
   std::set<std::string> machines, builds;
   for (const BenchCell& cell : cellsOf(c)) {

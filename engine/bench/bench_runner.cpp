@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isSynthetic(const BenchSequence& sequence) { return sequence.path.rfind("synthetic:", 0) == 0; }
+bool isSynthetic(const BenchSequence& sequence) {
+  return sequence.path.rfind("synthetic:", 0) == 0;
+}
 
 std::string readFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -32,6 +34,9 @@ std::string lastError(const fs::path& log) {
   while (std::getline(in, line)) {
     if (line.rfind(mark, 0) == 0) last = line.substr(mark.size());
   }
+  // What helps stands in the log; a table has room for what is wrong.
+  const std::size_t remedy = last.rfind(" (");
+  if (remedy != std::string::npos && last.back() == ')') last.resize(remedy);
   return last;
 }
 
@@ -51,7 +56,8 @@ std::string headline(const fs::path& folder) {
   if (!json.is_object()) return "no figures";
   const auto ate = json.value("ate", nlohmann::json());
   const auto tracked = json.value("tracked_fraction_after_init", nlohmann::json());
-  std::string text = ate.is_object() ? fmt::format("ATE {:.4f} m", ate.value("rmse_m", 0.0)) : "no ATE";
+  std::string text =
+      ate.is_object() ? fmt::format("ATE {:.4f} m", ate.value("rmse_m", 0.0)) : "no ATE";
   if (tracked.is_number()) text += fmt::format(", {:.0f} % tracked", 100 * tracked.get<double>());
   return text;
 }
@@ -65,7 +71,8 @@ std::string duration(double s) {
 
 class Bench {
  public:
-  Bench(const BenchConfig& config, const BenchOptions& options) : config_(config), options_(options) {}
+  Bench(const BenchConfig& config, const BenchOptions& options)
+      : config_(config), options_(options) {}
 
   Result<BenchOutcome> run() {
     build_ = fileFingerprint(options_.program);
@@ -83,7 +90,9 @@ class Bench {
   const BenchSequence& sequenceOf(const BenchCell& cell) const {
     return config_.sequences[static_cast<std::size_t>(cell.sequence)];
   }
-  const SequenceFacts& factsOf(const BenchCell& cell) const { return facts_[static_cast<std::size_t>(cell.sequence)]; }
+  const SequenceFacts& factsOf(const BenchCell& cell) const {
+    return facts_[static_cast<std::size_t>(cell.sequence)];
+  }
   void say(const std::string& line) const {
     if (options_.say) options_.say(line);
   }
@@ -104,7 +113,9 @@ class Bench {
       }
     }
     if (!status.ok()) return status;
-    if (opened == 0) return inputError("no sequence can be opened", first_error, "correct 'sequences' of the configuration");
+    if (opened == 0)
+      return inputError("no sequence can be opened", first_error,
+                        "correct 'sequences' of the configuration");
     removeAbandoned(options_.out);
     status = writeWhole(options_.out / "bench.yaml", config_.text);
     return status.ok() ? copyPeers() : status;
@@ -116,12 +127,14 @@ class Bench {
       for (const BenchSequence& sequence : config_.sequences) {
         std::string file = peer.files;
         const std::string mark = "{sequence}";
-        for (std::size_t at; (at = file.find(mark)) != std::string::npos;) file.replace(at, mark.size(), sequence.name);
+        for (std::size_t at; (at = file.find(mark)) != std::string::npos;)
+          file.replace(at, mark.size(), sequence.name);
         std::error_code ec;
         if (!fs::is_regular_file(file, ec)) continue;
         const Status made = makeFolder(options_.out / "peers" / peer.label);
         if (!made.ok()) return made;
-        const Status written = writeWhole(options_.out / "peers" / peer.label / (sequence.name + ".txt"), readFile(file));
+        const Status written = writeWhole(
+            options_.out / "peers" / peer.label / (sequence.name + ".txt"), readFile(file));
         if (!written.ok()) return written;
       }
     }
@@ -140,7 +153,8 @@ class Bench {
   void choose() {
     const std::vector<BenchCell> all = cellsOf(config_);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (static_cast<int>(i % static_cast<std::size_t>(options_.shards)) != options_.shard - 1) continue;
+      if (static_cast<int>(i % static_cast<std::size_t>(options_.shards)) != options_.shard - 1)
+        continue;
       ++outcome_.cells;
       if (counts(all[i])) {
         ++outcome_.kept;
@@ -148,15 +162,19 @@ class Bench {
         // Until it is run again, what lies there must not stand in a report as its result.
         std::error_code ec;
         const fs::path record = options_.out / all[i].folder / "cell.json";
-        if (fs::exists(record, ec)) fs::rename(record, options_.out / all[i].folder / "cell.outdated.json", ec);
+        if (fs::exists(record, ec))
+          fs::rename(record, options_.out / all[i].folder / "cell.outdated.json", ec);
         pending_.push_back(all[i]);
         frames_left_ += static_cast<double>(factsOf(all[i]).times.size());
       }
     }
-    say(fmt::format("{} cells, {} finished before, {} to run", outcome_.cells, outcome_.kept, pending_.size()));
+    say(fmt::format("{} cells, {} finished before, {} to run", outcome_.cells, outcome_.kept,
+                    pending_.size()));
   }
 
-  fs::path renderedFolder(const BenchSequence& sequence) const { return options_.out / "synth" / sequence.name; }
+  fs::path renderedFolder(const BenchSequence& sequence) const {
+    return options_.out / "synth" / sequence.name;
+  }
   std::string renderedMark(const BenchSequence& sequence) const {
     return sequence.path + "\n" + (options_.any_build ? "" : build_) + "\n";
   }
@@ -171,36 +189,45 @@ class Bench {
       const fs::path folder = renderedFolder(sequence);
       if (!isSynthetic(sequence) || !seen.insert(sequence.name).second) continue;
       const std::string mark = readFile(folder / "spec.txt");
-      if (mark == renderedMark(sequence) || (options_.any_build && mark.rfind(sequence.path + "\n", 0) == 0)) continue;
+      if (mark == renderedMark(sequence) ||
+          (options_.any_build && mark.rfind(sequence.path + "\n", 0) == 0))
+        continue;
       const Status made = makeFolder(folder.parent_path());
       if (!made.ok()) return made.error();
-      runs.push_back({{options_.program.string(), "synth", sequence.path}, folder, temporaryBeside(folder)});
+      runs.push_back(
+          {{options_.program.string(), "synth", sequence.path}, folder, temporaryBeside(folder)});
       sequences.push_back(&sequence);
     }
-    return runQueue(runs, {options_.jobs, 0, options_.stop}, [&](std::size_t i, const RunEnd& end) -> Status {
-      if (end.end.exit_code != 0)
-        return outputError("cannot be rendered: " + lastError(runs[i].temporary / "log.txt"), sequences[i]->path,
-                           "is the disk full?");
-      const Status marked = writeWhole(runs[i].temporary / "spec.txt", renderedMark(*sequences[i]));
-      if (!marked.ok()) return marked;
-      say(fmt::format("rendered {} ({})", sequences[i]->name, duration(end.wall_s)));
-      return moveIntoPlace(runs[i].temporary, runs[i].folder);
-    });
+    return runQueue(
+        runs, {options_.jobs, 0, options_.stop}, [&](std::size_t i, const RunEnd& end) -> Status {
+          if (end.end.exit_code != 0)
+            return outputError("cannot be rendered: " + lastError(runs[i].temporary / "log.txt"),
+                               sequences[i]->path, "is the disk full?");
+          const Status marked =
+              writeWhole(runs[i].temporary / "spec.txt", renderedMark(*sequences[i]));
+          if (!marked.ok()) return marked;
+          // Another shard may have been faster, and may be reading already.
+          if (readFile(runs[i].folder / "spec.txt") == renderedMark(*sequences[i])) return Done{};
+          say(fmt::format("rendered {} ({})", sequences[i]->name, duration(end.wall_s)));
+          return moveIntoPlace(runs[i].temporary, runs[i].folder);
+        });
   }
 
   Result<bool> runCells() {
     std::vector<QueuedRun> runs;
     for (const BenchCell& cell : pending_) {
       const BenchSequence& sequence = sequenceOf(cell);
-      const std::string path = isSynthetic(sequence) ? renderedFolder(sequence).string() : sequence.path;
+      const std::string path =
+          isSynthetic(sequence) ? renderedFolder(sequence).string() : sequence.path;
       std::vector<std::string> argv = cellArguments(config_, cell, path);
       argv.insert(argv.begin(), options_.program.string());
       const fs::path folder = options_.out / cell.folder;
       runs.push_back({std::move(argv), folder, temporaryBeside(folder)});
     }
     watch_ = Stopwatch();
-    return runQueue(runs, {options_.jobs, config_.timeout_s, options_.stop},
-                    [&](std::size_t i, const RunEnd& end) { return finishCell(pending_[i], runs[i], end); });
+    return runQueue(
+        runs, {options_.jobs, config_.timeout_s, options_.stop},
+        [&](std::size_t i, const RunEnd& end) { return finishCell(pending_[i], runs[i], end); });
   }
 
   Status finishCell(const BenchCell& cell, const QueuedRun& run, const RunEnd& end) {
@@ -214,7 +241,9 @@ class Bench {
     // An interrupt that was not ours came from outside, as a signal does. A timeout is our own.
     record.signal = end.timed_out ? 0 : end.end.exit_code == 130 ? 2 : end.end.signal;
     record.wall_s = end.wall_s;
-    record.reason = reasonOf(record, run.temporary, config_.timeout_s);
+    const bool absent = !factsOf(cell).error.empty() && record.exit_code == 3;
+    record.reason = absent ? "the sequence cannot be opened"
+                           : reasonOf(record, run.temporary, config_.timeout_s);
     Status status = writeCellRecord(run.temporary, record);
     if (status.ok()) status = moveIntoPlace(run.temporary, run.folder);
     ++outcome_.ran;
@@ -229,7 +258,8 @@ class Bench {
     frames_done_ += frames;
     const double left_s = frames_done_ > 0 ? watch_.ms() * 1e-3 / frames_done_ * frames_left_ : 0;
     say(fmt::format("[{}/{}] {} {} run {}: {}, {}{}", outcome_.kept + outcome_.ran, outcome_.cells,
-                    sequenceOf(cell).name, config_.systems()[static_cast<std::size_t>(cell.system)].label, cell.run,
+                    sequenceOf(cell).name,
+                    config_.systems()[static_cast<std::size_t>(cell.system)].label, cell.run,
                     record.reason.empty() ? headline(options_.out / cell.folder) : record.reason,
                     duration(record.wall_s),
                     frames_left_ > 0 ? "; about " + duration(left_s) + " left" : std::string()));
@@ -259,7 +289,9 @@ Status moveIntoPlace(const fs::path& from, const fs::path& to) {
     fs::rename(to, old, ec);
   }
   fs::rename(from, to, ec);
-  if (ec) return outputError("cannot be written: " + ec.message(), to.string(), "choose a folder with write permission");
+  if (ec)
+    return outputError("cannot be written: " + ec.message(), to.string(),
+                       "choose a folder with write permission");
   fs::remove_all(old, ec);
   return Done{};
 }

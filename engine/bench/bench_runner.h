@@ -14,18 +14,18 @@ struct BenchOptions {
   std::filesystem::path out;      ///< DIR
   std::filesystem::path program;  ///< svoscope itself
   std::string version;
-  int jobs = 1;               ///< cells at a time
-  int shard = 1, shards = 1;  ///< only every shards-th cell
-  bool retry_failed = false;  ///< cells that have a reason, too
-  bool any_build = false;     ///< cells of another build of the program still count
-  const std::atomic<bool>* stop = nullptr;        ///< set from outside to end early
-  std::function<void(const std::string&)> say;    ///< a line of progress
+  int jobs = 1;                             ///< cells at a time
+  int shard = 1, shards = 1;                ///< only every shards-th cell
+  bool retry_failed = false;                ///< cells that have a reason, too
+  bool any_build = false;                   ///< cells of another build of the program still count
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside to end early
+  std::function<void(const std::string&)> say;  ///< a line of progress
   std::function<void(const std::string&)> warn;
 };
 
 struct BenchOutcome {
-  int cells = 0;   ///< of this shard
-  int kept = 0;    ///< were finished before
+  int cells = 0;  ///< of this shard
+  int kept = 0;   ///< were finished before
   int ran = 0;
   int failed = 0;  ///< of those run: without a result
   bool interrupted = false;
@@ -37,8 +37,8 @@ struct BenchOutcome {
 /// sequence at all can be opened, output error if DIR cannot be written.
 Result<BenchOutcome> runBench(const BenchConfig& config, const BenchOptions& options);
 
-/// Takes the finished cells of `dirs` together in `out`; cells that are there already stay. Input error
-/// unless all are benchmarks of the same plan.
+/// Takes the finished cells of `dirs` together in `out`; cells that are there already stay. Input
+/// error unless all are benchmarks of the same plan.
 Status mergeBench(const std::vector<std::filesystem::path>& dirs, const std::filesystem::path& out);
 
 /// Moves a complete folder to its place, over what was there.

@@ -142,7 +142,8 @@ Result<bool> runQueue(const std::vector<QueuedRun>& runs, const QueueOptions& op
 }
 
 fs::path temporaryBeside(const fs::path& folder) {
-  return folder.parent_path() / fmt::format(".{}@{}.{}.tmp", folder.filename().string(), hostName(), getpid());
+  return folder.parent_path() /
+         fmt::format(".{}@{}.{}.tmp", folder.filename().string(), hostName(), getpid());
 }
 
 void removeAbandoned(const fs::path& root) {

@@ -13,9 +13,9 @@
 namespace svoscope {
 
 struct QueuedRun {
-  std::vector<std::string> argv;     ///< without the output folder
-  std::filesystem::path folder;      ///< where the result belongs
-  std::filesystem::path temporary;   ///< where it is written to, removed unless `done` moves it away
+  std::vector<std::string> argv;    ///< without the output folder
+  std::filesystem::path folder;     ///< where the result belongs
+  std::filesystem::path temporary;  ///< where it is written to, removed unless `done` moves it away
 };
 
 struct RunEnd {
@@ -30,9 +30,10 @@ struct QueueOptions {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Runs `runs` in their order with "--out TEMPORARY" added, output and errors into TEMPORARY/log.txt,
-/// and calls `done` with the index of each that ended. False if stopped: the running ones were ended
-/// and their folders removed. The first error of `done` or of a start ends all.
+/// Runs `runs` in their order with "--out TEMPORARY" added, output and errors into
+/// TEMPORARY/log.txt, and calls `done` with the index of each that ended. False if stopped: the
+/// running ones were ended and their folders removed. The first error of `done` or of a start ends
+/// all.
 Result<bool> runQueue(const std::vector<QueuedRun>& runs, const QueueOptions& options,
                       const std::function<Status(std::size_t, const RunEnd&)>& done);
 

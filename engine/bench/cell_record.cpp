@@ -11,13 +11,19 @@ namespace svoscope {
 namespace fs = std::filesystem;
 
 Status writeCellRecord(const fs::path& folder, const CellRecord& record) {
-  const nlohmann::ordered_json json = {
-      {"configuration", record.configuration}, {"build", record.build},         {"version", record.version},
-      {"machine", record.machine},             {"exit_code", record.exit_code}, {"signal", record.signal},
-      {"timed_out", record.timed_out},         {"reason", record.reason},       {"wall_s", record.wall_s}};
+  const nlohmann::ordered_json json = {{"configuration", record.configuration},
+                                       {"build", record.build},
+                                       {"version", record.version},
+                                       {"machine", record.machine},
+                                       {"exit_code", record.exit_code},
+                                       {"signal", record.signal},
+                                       {"timed_out", record.timed_out},
+                                       {"reason", record.reason},
+                                       {"wall_s", record.wall_s}};
   // What ends up in the log of a run may be any bytes.
-  return writeWhole(folder / "cell.json",
-                    json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  return writeWhole(
+      folder / "cell.json",
+      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 std::optional<CellRecord> readCellRecord(const fs::path& folder) {

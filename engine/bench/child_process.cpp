@@ -35,12 +35,14 @@ double nowSeconds() {
 
 ChildProcess::ChildProcess(pid_t pid) : pid_(pid), started_s_(nowSeconds()) {}
 
-Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argv, const std::filesystem::path& log) {
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argv,
+                                         const std::filesystem::path& log) {
   std::vector<char*> pointers;
   for (const std::string& argument : argv) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (out < 0) return outputError(std::string("cannot be written: ") + std::strerror(errno), log.string(), "");
+  if (out < 0)
+    return outputError(std::string("cannot be written: ") + std::strerror(errno), log.string(), "");
   const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
   const pid_t parent = getpid();
   const pid_t pid = fork();
@@ -48,7 +50,9 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argv, c
   const int reason = errno;
   close(out);
   if (null >= 0) close(null);
-  if (pid < 0) return Error{ErrorKind::internal, std::strerror(reason), argv[0], "no further process can be started"};
+  if (pid < 0)
+    return Error{ErrorKind::internal, std::strerror(reason), argv[0],
+                 "no further process can be started"};
   setpgid(pid, pid);  // also here: whoever comes first
   return ChildProcess(pid);
 }

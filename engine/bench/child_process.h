@@ -22,7 +22,8 @@ class ChildProcess {
  public:
   /// Starts argv[0] in a process group of its own, without input, output and errors into `log`. It
   /// dies with this process, however that ends. Internal error if it cannot be started.
-  static Result<ChildProcess> start(const std::vector<std::string>& argv, const std::filesystem::path& log);
+  static Result<ChildProcess> start(const std::vector<std::string>& argv,
+                                    const std::filesystem::path& log);
 
   /// Empty while it runs; once only with a value.
   std::optional<ChildEnd> poll();

@@ -36,33 +36,35 @@ SequenceComparison compareRuns(std::size_t sequence, const PairedGroup& g) {
 std::string names(const BenchResults& results, const std::vector<std::size_t>& sequences) {
   std::string text;
   for (std::size_t i = 0; i < sequences.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == sequences.size() ? " and " : ", ") + results.config.sequences[sequences[i]].name;
+    text += (i == 0                      ? ""
+             : i + 1 == sequences.size() ? " and "
+                                         : ", ") +
+            results.config.sequences[sequences[i]].name;
   return text;
 }
 
 std::string percent(double ratio) { return fmt::format("{:.0f} %", 100 * std::abs(ratio - 1)); }
 
-std::string intervalText(const Interval& i) {
-  return fmt::format("95 % interval of the ratio {:.2f} to {:.2f}", i.low, i.high);
+/// "ratio 0.97 over 12 sequences (95 % interval 0.85 to 1.10)"
+std::string ratioText(const Comparison& c) {
+  return fmt::format("ratio {:.2f} over {} sequence{} (95 % interval {:.2f} to {:.2f})", c.ratio,
+                     c.sequences.size(), c.sequences.size() == 1 ? "" : "s", c.ratios.low,
+                     c.ratios.high);
 }
 
 std::string overall(const BenchResults& results, const Comparison& c) {
   const std::string& a = results.systems[c.a].system.label;
   const std::string& b = results.systems[c.b].system.label;
   const std::string what = c.figure->label;
-  const std::size_t n = c.sequences.size();
-  if (n == 0) return fmt::format("{}: {} and {} have no sequence in common that both complete.", what, a, b);
-  const std::string on = fmt::format("over {} sequence{}", n, n == 1 ? "" : "s");
-  if (static_cast<int>(n) < kLeastSequences) {
-    return fmt::format("{}: {} against {} is undecided: ratio {:.2f} {} ({}), fewer than the {} it takes.", what, a, b,
-                       c.ratio, on, intervalText(c.ratios), kLeastSequences);
-  }
-  if (c.verdict == Verdict::undecided) {
-    return fmt::format("{}: {} against {} is undecided: ratio {:.2f} {}, {}.", what, a, b, c.ratio, on,
-                       intervalText(c.ratios));
-  }
-  return fmt::format("{}: {} is {} than {}: {} {} {}, {}.", what, a, c.verdict == Verdict::better ? "better" : "worse", b,
-                     percent(c.ratio), c.ratio < 1 ? "lower" : "higher", on, intervalText(c.ratios));
+  if (c.sequences.empty())
+    return fmt::format("{}: {} and {} complete no sequence in common.", what, a, b);
+  if (static_cast<int>(c.sequences.size()) < kLeastSequences)
+    return fmt::format("{}: undecided, {}; a verdict takes {} sequences.", what, ratioText(c),
+                       kLeastSequences);
+  if (c.verdict == Verdict::undecided) return fmt::format("{}: undecided, {}.", what, ratioText(c));
+  return fmt::format("{}: {} is {} than {}, {} {}, {}.", what, a,
+                     c.verdict == Verdict::better ? "better" : "worse", b, percent(c.ratio),
+                     c.ratio < 1 ? "lower" : "higher", ratioText(c));
 }
 
 std::vector<std::size_t> withVerdict(const Comparison& c, Verdict verdict) {
@@ -75,7 +77,8 @@ std::vector<std::size_t> withVerdict(const Comparison& c, Verdict verdict) {
 
 }  // namespace
 
-Comparison compare(const BenchResults& results, std::size_t a, std::size_t b, const FigureInfo& figure) {
+Comparison compare(const BenchResults& results, std::size_t a, std::size_t b,
+                   const FigureInfo& figure) {
   Comparison c;
   c.a = a;
   c.b = b;

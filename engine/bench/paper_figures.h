@@ -11,7 +11,8 @@
 namespace svoscope {
 
 constexpr const char* kPaperCitation =
-    "IT-SVO: Improved Semi-Direct Monocular Visual Odometry Combined with JS Divergence in Restricted "
+    "IT-SVO: Improved Semi-Direct Monocular Visual Odometry Combined with JS Divergence in "
+    "Restricted "
     "Mobile Devices. Sensors 2021, 21(6), 2025";
 
 struct PaperErrors {

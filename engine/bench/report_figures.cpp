@@ -18,7 +18,8 @@ constexpr double kGapMedians = 2.5;  // two frames missing are a gap
 
 std::size_t ownOf(const BenchResults& results) { return static_cast<std::size_t>(results.own); }
 
-std::optional<SvgBar> barOf(const BenchResults& results, std::size_t s, std::size_t m, const FigureInfo& info) {
+std::optional<SvgBar> barOf(const BenchResults& results, std::size_t s, std::size_t m,
+                            const FigureInfo& info) {
   const auto spread = results.spread(s, m, info);
   if (!spread) return std::nullopt;
   return SvgBar{spread->mean, spread->low, spread->high};
@@ -33,7 +34,8 @@ SvgBarChart chartOf(const BenchResults& results, const FigureInfo& info, std::si
   for (std::size_t s = 0; s < results.config.sequences.size(); ++s) {
     SvgBarGroup group{results.config.sequences[s].name, {}};
     for (std::size_t m = 0; m < systems; ++m) group.bars.push_back(barOf(results, s, m, info));
-    const bool any = std::any_of(group.bars.begin(), group.bars.end(), [](const auto& bar) { return bar.has_value(); });
+    const bool any = std::any_of(group.bars.begin(), group.bars.end(),
+                                 [](const auto& bar) { return bar.has_value(); });
     if (any) chart.groups.push_back(std::move(group));
   }
   return chart;
@@ -50,21 +52,24 @@ Trajectory truthOf(const SequenceFacts& facts) {
   if (facts.times.empty()) return facts.ground_truth;
   Trajectory part;
   for (const StampedPose& pose : facts.ground_truth) {
-    if (pose.timestamp >= facts.times.front() - 0.1 && pose.timestamp <= facts.times.back() + 0.1) part.push_back(pose);
+    if (pose.timestamp >= facts.times.front() - 0.1 && pose.timestamp <= facts.times.back() + 0.1)
+      part.push_back(pose);
   }
   return part;
 }
 
 /// Where tracking was lost: places of the ground truth at the first frame of each loss.
-std::vector<SvgPoint> lossesOf(const RunResult& run, const SequenceFacts& facts, const Trajectory& truth, PlotPlane plane) {
+std::vector<SvgPoint> lossesOf(const RunResult& run, const SequenceFacts& facts,
+                               const Trajectory& truth, PlotPlane plane) {
   std::vector<SvgPoint> marks;
   const double step = facts.times.size() > 1 ? facts.times[1] - facts.times[0] : 0;
   double previous = -1e300;
   for (const double t : run.lost) {
     if (t - previous > 1.5 * step && !truth.empty()) {
-      const auto nearest = std::min_element(truth.begin(), truth.end(), [t](const StampedPose& a, const StampedPose& b) {
-        return std::abs(a.timestamp - t) < std::abs(b.timestamp - t);
-      });
+      const auto nearest = std::min_element(
+          truth.begin(), truth.end(), [t](const StampedPose& a, const StampedPose& b) {
+            return std::abs(a.timestamp - t) < std::abs(b.timestamp - t);
+          });
       const Vec3& p = nearest->T_world_cam.translation();
       marks.push_back({p[plane.u], p[plane.v]});
     }
@@ -103,7 +108,9 @@ SvgStyle systemStyle(const BenchResults& results, std::size_t system) {
   if (s.peer) return otherStyle(static_cast<int>(system) - results.own);
   SvgStyle style = methodStyle(s.system.method);
   static const char* kDashes[] = {"", "7 3", "2 2", "8 2 2 2"};
+  static const double kOpacity[] = {1, 0.55, 0.3, 0.15};
   if (results.config.variants.size() > 1) style.dash = kDashes[s.system.variant % 4];
+  style.opacity = kOpacity[s.system.variant % 4];
   return style;
 }
 
@@ -112,7 +119,8 @@ ReportFigure ateFigure(const BenchResults& results) {
   chart.title = "Absolute trajectory error";
   chart.log = true;
   chart.width = 860;
-  return {"fig-ate", "ATE rmse: mean of the runs, whiskers from the best to the worst run; - failed.",
+  return {"fig-ate",
+          "ATE rmse: mean of the runs, whiskers from the best to the worst run; - failed.",
           drawBars(chart).inlined()};
 }
 
@@ -135,21 +143,26 @@ ReportFigure ratioFigure(const BenchResults& results, const std::vector<Comparis
     for (const Comparison* c : shown) {
       group.bars.emplace_back();
       for (const SequenceComparison& row : c->sequences) {
-        if (row.sequence == s) group.bars.back() = SvgBar{row.ratio, row.ratios.low, row.ratios.high};
+        if (row.sequence == s)
+          group.bars.back() = SvgBar{row.ratio, row.ratios.low, row.ratios.high};
       }
-      any = any || group.bars.back();
+      any = any || group.bars.back().has_value();
     }
     if (any) chart.groups.push_back(std::move(group));
   }
   SvgBarGroup all{"all sequences", {}};
-  for (const Comparison* c : shown) all.bars.push_back(SvgBar{c->ratio, c->ratios.low, c->ratios.high});
+  for (const Comparison* c : shown)
+    all.bars.push_back(SvgBar{c->ratio, c->ratios.low, c->ratios.high});
   chart.groups.push_back(std::move(all));
-  return {"fig-ratio", "Whiskers are 95 % bootstrap intervals: over the runs of a sequence, and over sequences and runs for "
-                       "all; single runs have none.",
+  return {"fig-ratio",
+          "Whiskers are 95 % bootstrap intervals: over the runs of a sequence, and over sequences "
+          "and runs for "
+          "all; single runs have none.",
           drawBars(chart).inlined()};
 }
 
-ReportFigure barFigure(const BenchResults& results, const std::string& key, const std::string& caption) {
+ReportFigure barFigure(const BenchResults& results, const std::string& key,
+                       const std::string& caption) {
   return {"fig-" + key, caption, drawBars(chartOf(results, figure(key), ownOf(results))).inlined()};
 }
 
@@ -162,14 +175,16 @@ std::vector<std::string> trajectoryPanels(const BenchResults& results, std::size
   for (std::size_t m = 0; m < results.systems.size(); ++m) {
     const RunResult* run = results.typical(s, m);
     const std::string& label = results.systems[m].system.label;
+    if (results.systems[m].peer && !results.runs[s][m].front().present) continue;
     SvgPlot plot;
     plot.width = 330;
     plot.height = 270;
     plot.equal_axes = true;
     plot.x_label = plane.uLabel();
     plot.y_label = plane.vLabel();
-    plot.title = run && run->figures.ate_m ? fmt::format("{}: ATE {:.4f} m", label, *run->figures.ate_m)
-                                           : fmt::format("{}: {}", label, run ? "no error known" : results.failure(s, m));
+    plot.title = run && run->figures.ate_m
+                     ? fmt::format("{}: ATE {:.3g} m", label, *run->figures.ate_m)
+                     : fmt::format("{}: {}", label, run ? "no error known" : results.failure(s, m));
     // A reason may be a whole sentence.
     if (plot.title.size() > 44) plot.title = plot.title.substr(0, 41) + "...";
     SvgCurve gt;
@@ -182,8 +197,9 @@ std::vector<std::string> trajectoryPanels(const BenchResults& results, std::size
     if (run && run->evaluation) {
       SvgStyle style = systemStyle(results, m);
       style.dash.clear();  // alone in its panel; gaps shall be losses
-      SvgCurve curve = curveOf(*run->evaluation, style, [&](const PoseError& e) { return e.position_est[plane.u]; },
-                               [&](const PoseError& e) { return e.position_est[plane.v]; });
+      SvgCurve curve = curveOf(
+          *run->evaluation, style, [&](const PoseError& e) { return e.position_est[plane.u]; },
+          [&](const PoseError& e) { return e.position_est[plane.v]; });
       curve.width = 2;
       plot.curves.push_back(std::move(curve));
       plot.losses = lossesOf(*run, facts, truth, plane);
@@ -205,9 +221,10 @@ std::string errorPanel(const BenchResults& results, std::size_t s) {
   for (std::size_t m = 0; m < ownOf(results); ++m) {
     const RunResult* run = results.typical(s, m);
     if (!run || !run->evaluation) continue;
-    SvgCurve curve = curveOf(*run->evaluation, systemStyle(results, m),
-                             [&](const PoseError& e) { return e.timestamp - start; },
-                             [](const PoseError& e) { return e.error_m; });
+    SvgCurve curve = curveOf(
+        *run->evaluation, systemStyle(results, m),
+        [&](const PoseError& e) { return e.timestamp - start; },
+        [](const PoseError& e) { return e.error_m; });
     curve.name = results.systems[m].system.label;
     low = std::min(low, run->evaluation->ate.median);
     high = std::max(high, run->evaluation->ate.max);

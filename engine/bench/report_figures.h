@@ -17,7 +17,8 @@ struct ReportFigure {
   std::string svg;      ///< inline
 };
 
-/// How a column is drawn: our methods in their colours, variants dashed differently, others in theirs.
+/// How a column is drawn: our methods in their colours, variants dashed differently, others in
+/// theirs.
 SvgStyle systemStyle(const BenchResults& results, std::size_t system);
 
 /// ATE of all systems by sequence, logarithmic; whiskers from the best to the worst run.
@@ -25,7 +26,8 @@ ReportFigure ateFigure(const BenchResults& results);
 /// Ratio of ATE of each pair by sequence and over all.
 ReportFigure ratioFigure(const BenchResults& results, const std::vector<Comparison>& comparisons);
 /// Bars of one figure for our systems: "keyframes", "init_time_s", "relocalisation_time_s", ...
-ReportFigure barFigure(const BenchResults& results, const std::string& key, const std::string& caption);
+ReportFigure barFigure(const BenchResults& results, const std::string& key,
+                       const std::string& caption);
 
 /// A small plot for each system: the typical run after alignment over ground truth, losses marked.
 std::vector<std::string> trajectoryPanels(const BenchResults& results, std::size_t sequence);

@@ -40,18 +40,21 @@ void addPaperCells(const PaperRow& row, ReportRow& out) {
   }
 }
 
-void addOurCells(const BenchResults& results, const PaperRow& row, std::optional<std::size_t> sequence, ReportRow& out) {
+void addOurCells(const BenchResults& results, const PaperRow& row,
+                 std::optional<std::size_t> sequence, ReportRow& out) {
   const std::vector<std::string> keys =
-      hasErrors(row.table) ? std::vector<std::string>{"rpe_trans_m", "rpe_rot_rad", "ate_m"}
-                           : std::vector<std::string>{row.table == 5 ? "fps" : "relocalisation_time_s"};
+      hasErrors(row.table)
+          ? std::vector<std::string>{"rpe_trans_m", "rpe_rot_rad", "ate_m"}
+          : std::vector<std::string>{row.table == 5 ? "fps" : "relocalisation_time_s"};
   for (const std::string& method : paperMethods()) {
     const auto column = columnOf(results, method);
     for (const std::string& key : keys) {
       const FigureInfo& info = figure(key);
       const bool ran = sequence && column;
-      out.cells.push_back({ran ? spreadText(results.spread(*sequence, *column, info), info.digits,
-                                            static_cast<int>(results.runs[*sequence][*column].size()))
-                               : "not run"});
+      out.cells.push_back(
+          {ran ? spreadText(results.spread(*sequence, *column, info), info.digits,
+                            static_cast<int>(results.runs[*sequence][*column].size()))
+               : "not run"});
     }
   }
 }

@@ -24,10 +24,19 @@ std::vector<std::string> flatHeader(const ReportTable& table) {
   std::size_t column = 0;
   for (const auto& [group, span] : table.groups) {
     for (int i = 0; i < span && column < names.size(); ++i, ++column) {
-      if (!group.empty()) names[column] = names[column].empty() ? group : group + " " + names[column];
+      if (!group.empty())
+        names[column] = names[column].empty() ? group : group + " " + names[column];
     }
   }
   return names;
+}
+
+/// Mean above its spread: side by side they make a table too wide for a page.
+std::string htmlCell(const std::string& text) {
+  const std::string mark = " \xC2\xB1 ";
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos) return xmlEscaped(text);
+  return xmlEscaped(text.substr(0, at)) + "<small>" + xmlEscaped(text.substr(at + 1)) + "</small>";
 }
 
 const std::string& textOf(const ReportRow& row, std::size_t column) {
@@ -35,7 +44,9 @@ const std::string& textOf(const ReportRow& row, std::size_t column) {
   return column < row.cells.size() ? row.cells[column].text : kNone;
 }
 
-bool strong(const ReportRow& row, std::size_t column) { return column < row.cells.size() && row.cells[column].strong; }
+bool strong(const ReportRow& row, std::size_t column) {
+  return column < row.cells.size() && row.cells[column].strong;
+}
 
 }  // namespace
 
@@ -87,20 +98,24 @@ std::string latexEscaped(const std::string& text) {
 std::string tableLatex(const ReportTable& table) {
   const std::size_t columns = table.header.size();
   std::string layout;
-  for (std::size_t i = 0; i < columns; ++i) layout += static_cast<int>(i) < table.text_columns ? 'l' : 'r';
-  std::string text = fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}.{}{}}}\n\\label{{tab:{}}}\n",
-                                 latexEscaped(table.title), table.note.empty() ? "" : " ", latexEscaped(table.note),
-                                 table.id);
+  for (std::size_t i = 0; i < columns; ++i)
+    layout += static_cast<int>(i) < table.text_columns ? 'l' : 'r';
+  std::string text = fmt::format(
+      "\\begin{{table}}\n\\centering\n\\caption{{{}.{}{}}}\n\\label{{tab:{}}}\n",
+      latexEscaped(table.title), table.note.empty() ? "" : " ", latexEscaped(table.note), table.id);
   text += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", layout);
   std::string groups;
   for (const auto& [group, span] : table.groups)
-    groups += fmt::format("{}\\multicolumn{{{}}}{{c}}{{{}}}", groups.empty() ? "" : " & ", span, latexEscaped(group));
+    groups += fmt::format("{}\\multicolumn{{{}}}{{c}}{{{}}}", groups.empty() ? "" : " & ", span,
+                          latexEscaped(group));
   if (!groups.empty()) text += groups + " \\\\\n";
-  for (std::size_t i = 0; i < columns; ++i) text += (i ? " & " : "") + latexEscaped(table.header[i]);
+  for (std::size_t i = 0; i < columns; ++i)
+    text += (i ? " & " : "") + latexEscaped(table.header[i]);
   text += " \\\\\n\\midrule\n";
   for (const ReportRow& row : table.rows) {
     if (row.heading) {
-      text += fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\\n", columns, latexEscaped(textOf(row, 0)));
+      text += fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\\n", columns,
+                          latexEscaped(textOf(row, 0)));
       continue;
     }
     for (std::size_t i = 0; i < columns; ++i) {
@@ -113,8 +128,8 @@ std::string tableLatex(const ReportTable& table) {
 }
 
 std::string tableHtml(const ReportTable& table) {
-  std::string text = fmt::format("<figure class=\"table\" id=\"{}\">\n<figcaption><b>{}</b>", xmlEscaped(table.id),
-                                 xmlEscaped(table.title));
+  std::string text = fmt::format("<figure class=\"table\" id=\"{}\">\n<figcaption><b>{}</b>",
+                                 xmlEscaped(table.id), xmlEscaped(table.title));
   if (!table.note.empty()) text += fmt::format("<span>{}</span>", xmlEscaped(table.note));
   text += "</figcaption>\n<div class=\"scroll\"><table>\n<thead>\n";
   if (!table.groups.empty()) {
@@ -124,19 +139,21 @@ std::string tableHtml(const ReportTable& table) {
     text += "</tr>\n";
   }
   text += "<tr>";
-  const auto kind = [&](std::size_t i) { return static_cast<int>(i) < table.text_columns ? " class=\"text\"" : ""; };
+  const auto kind = [&](std::size_t i) {
+    return static_cast<int>(i) < table.text_columns ? " class=\"text\"" : "";
+  };
   for (std::size_t i = 0; i < table.header.size(); ++i)
     text += fmt::format("<th{}>{}</th>", kind(i), xmlEscaped(table.header[i]));
   text += "</tr>\n</thead>\n<tbody>\n";
   for (const ReportRow& row : table.rows) {
     if (row.heading) {
-      text += fmt::format("<tr class=\"heading\"><th colspan=\"{}\">{}</th></tr>\n", table.header.size(),
-                          xmlEscaped(textOf(row, 0)));
+      text += fmt::format("<tr class=\"heading\"><th colspan=\"{}\">{}</th></tr>\n",
+                          table.header.size(), xmlEscaped(textOf(row, 0)));
       continue;
     }
     text += "<tr>";
     for (std::size_t i = 0; i < table.header.size(); ++i) {
-      const std::string cell = xmlEscaped(textOf(row, i));
+      const std::string cell = htmlCell(textOf(row, i));
       text += fmt::format("<td{}>{}</td>", kind(i), strong(row, i) ? "<b>" + cell + "</b>" : cell);
     }
     text += "</tr>\n";

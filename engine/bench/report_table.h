@@ -19,10 +19,11 @@ struct ReportRow {
 };
 
 struct ReportTable {
-  std::string id;     ///< of anchors and labels: "accuracy"
+  std::string id;  ///< of anchors and labels: "accuracy"
   std::string title;
-  std::string note;   ///< what a reader must know; may be empty
-  std::vector<std::pair<std::string, int>> groups;  ///< upper header: text and columns; may be empty
+  std::string note;  ///< what a reader must know; may be empty
+  std::vector<std::pair<std::string, int>>
+      groups;                       ///< upper header: text and columns; may be empty
   std::vector<std::string> header;  ///< one for each column; the first is left-aligned
   std::vector<ReportRow> rows;
   int text_columns = 1;  ///< left-aligned columns from the left

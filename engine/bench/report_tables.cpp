@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -32,8 +33,10 @@ void addSequenceRows(const BenchResults& results, ReportTable& table, const Cell
   }
 }
 
-/// The system with the least (or, if more is better, largest) mean; none if fewer than two have one.
-std::optional<std::size_t> bestOf(const BenchResults& results, std::size_t s, const FigureInfo& info) {
+/// The system with the least (or, if more is better, largest) mean; none if fewer than two have
+/// one.
+std::optional<std::size_t> bestOf(const BenchResults& results, std::size_t s,
+                                  const FigureInfo& info) {
   std::optional<std::size_t> best;
   double best_mean = 0;
   int found = 0;
@@ -41,16 +44,19 @@ std::optional<std::size_t> bestOf(const BenchResults& results, std::size_t s, co
     const auto spread = results.spread(s, m, info);
     if (!spread) continue;
     ++found;
-    if (best && !(info.less_is_better ? spread->mean < best_mean : spread->mean > best_mean)) continue;
+    if (best && !(info.less_is_better ? spread->mean < best_mean : spread->mean > best_mean))
+      continue;
     best = m;
     best_mean = spread->mean;
   }
   return found > 1 ? best : std::nullopt;
 }
 
-ReportCell figureCell(const BenchResults& results, std::size_t s, std::size_t m, const FigureInfo& info, bool mark) {
+ReportCell figureCell(const BenchResults& results, std::size_t s, std::size_t m,
+                      const FigureInfo& info, bool mark) {
   const int runs = static_cast<int>(results.runs[s][m].size());
-  return {spreadText(results.spread(s, m, info), info.digits, runs), mark && bestOf(results, s, info) == m};
+  return {spreadText(results.spread(s, m, info), info.digits, runs),
+          mark && bestOf(results, s, info) == m};
 }
 
 std::string withUnit(const FigureInfo& info) {
@@ -69,8 +75,13 @@ std::string pairName(const BenchResults& results, const Comparison& c) {
 
 std::string spreadText(const std::optional<Spread>& spread, int digits, int runs) {
   if (!spread) return "-";
+  // Errors of millimetres need a digit more, counts that are whole none.
+  if (digits >= 4 && std::abs(spread->mean) < 0.01) ++digits;
+  if (digits == 1 && spread->low == spread->high && spread->mean == std::floor(spread->mean))
+    digits = 0;
   std::string text = fmt::format("{:.{}f}", spread->mean, digits);
-  if (spread->count > 1) text += fmt::format(" ± {:.{}f}", spread->stddev, digits);
+  if (spread->high > spread->low)
+    text += fmt::format(" ± {:.{}f}", spread->stddev, std::max(digits, 1));
   if (spread->count < runs) text += fmt::format(" ({}/{})", spread->count, runs);
   return text;
 }
@@ -79,8 +90,10 @@ ReportTable errorTable(const BenchResults& results) {
   ReportTable table;
   table.id = "errors";
   table.title = "Errors by sequence";
-  table.note = "RPE translation (m), RPE rotation (rad) and ATE (m), root mean squares; mean ± standard deviation over "
-               "the runs that count; - failed.";
+  table.note =
+      "RPE translation (m), RPE rotation (rad) and ATE (m), root mean squares; mean ± standard "
+      "deviation over "
+      "the runs that count; - failed.";
   table.groups = {{"", 1}};
   table.header = {"Sequence"};
   for (std::size_t m = 0; m < ownOf(results); ++m) {
@@ -102,15 +115,19 @@ ReportTable peerTable(const BenchResults& results) {
   ReportTable table;
   table.id = "peers";
   table.title = "ATE and frames tracked beside other systems";
-  table.note = "ATE rmse in m over the frames tracked, and the fraction of frames with a pose since the first one; both "
-               "are to be read together.";
+  table.note =
+      "ATE rmse in m over the frames tracked, and the fraction of frames with a pose since the "
+      "first one; both "
+      "are to be read together.";
   table.header = {"Sequence"};
   for (const ResultSystem& system : results.systems) table.header.push_back(system.system.label);
   addSequenceRows(results, table, [&](std::size_t s) {
     std::vector<ReportCell> cells;
     for (std::size_t m = 0; m < results.systems.size(); ++m) {
-      const auto ate = results.spread(s, m, figure("ate_m")), tracked = results.spread(s, m, figure("tracked"));
-      const std::string mean = ate ? fmt::format("{:.4f}", ate->mean) : "-";
+      const auto ate = results.spread(s, m, figure("ate_m")),
+                 tracked = results.spread(s, m, figure("tracked"));
+      const std::string mean =
+          ate ? fmt::format("{:.{}f}", ate->mean, ate->mean < 0.01 ? 5 : 4) : "-";
       cells.push_back({tracked ? fmt::format("{} @ {:.0f} %", mean, 100 * tracked->mean) : mean});
     }
     return cells;
@@ -118,32 +135,39 @@ ReportTable peerTable(const BenchResults& results) {
   return table;
 }
 
-ReportTable figureTableOf(const BenchResults& results, const std::string& key, const std::string& note) {
+ReportTable figureTableOf(const BenchResults& results, const std::string& key,
+                          const std::string& note) {
   const FigureInfo& info = figure(key);
   ReportTable table;
   table.id = key;
   table.title = withUnit(info);
   table.note = note;
   table.header = {"Sequence"};
-  for (std::size_t m = 0; m < ownOf(results); ++m) table.header.push_back(results.systems[m].system.label);
+  for (std::size_t m = 0; m < ownOf(results); ++m)
+    table.header.push_back(results.systems[m].system.label);
   addSequenceRows(results, table, [&](std::size_t s) {
     std::vector<ReportCell> cells;
-    for (std::size_t m = 0; m < ownOf(results); ++m) cells.push_back(figureCell(results, s, m, info, false));
+    for (std::size_t m = 0; m < ownOf(results); ++m)
+      cells.push_back(figureCell(results, s, m, info, false));
     return cells;
   });
   return table;
 }
 
-ReportTable comparisonTable(const BenchResults& results, const std::vector<Comparison>& comparisons) {
+ReportTable comparisonTable(const BenchResults& results,
+                            const std::vector<Comparison>& comparisons) {
   ReportTable table;
   table.id = "comparison";
   table.title = "Methods compared over all sequences";
   table.note = fmt::format(
-      "Geometric mean over sequences of A's figure / B's, with a 95 % bootstrap interval over sequences and runs; below 1, A "
-      "is lower, which is better. Decided only from {} sequences on. Intervals are not corrected for the number of "
+      "Geometric mean over sequences of A's figure / B's, with a 95 % bootstrap interval over "
+      "sequences and runs; below 1, A "
+      "is lower, which is better. Decided only from {} sequences on. Intervals are not corrected "
+      "for the number of "
       "comparisons.",
       kLeastSequences);
-  table.header = {"A / B", "Figure", "Sequences", "Ratio", "Verdict for A", "Lower on", "Higher on", "Only A", "Only B"};
+  table.header = {"A / B",    "Figure",    "Sequences", "Ratio", "Verdict for A",
+                  "Lower on", "Higher on", "Only A",    "Only B"};
   table.text_columns = 2;
   for (const Comparison& c : comparisons) {
     int lower = 0, higher = 0;
@@ -167,8 +191,10 @@ ReportTable ratioTable(const BenchResults& results, const std::vector<Comparison
   ReportTable table;
   table.id = "ratios";
   table.title = "Ratio of ATE by sequence";
-  table.note = "A's ATE / B's with a 95 % bootstrap interval over the runs; bold where every run of the one lies below every "
-               "run of the other; - where not both complete.";
+  table.note =
+      "A's ATE / B's with a 95 % bootstrap interval over the runs; bold where every run of the one "
+      "lies below every "
+      "run of the other; - where not both complete.";
   table.header = {"Sequence"};
   std::vector<const Comparison*> shown;
   for (const Comparison& c : comparisons) {
@@ -181,7 +207,8 @@ ReportTable ratioTable(const BenchResults& results, const std::vector<Comparison
     for (const Comparison* c : shown) {
       ReportCell cell{"-"};
       for (const SequenceComparison& row : c->sequences) {
-        if (row.sequence == s) cell = {intervalOf(row.ratio, row.ratios), row.verdict != Verdict::undecided};
+        if (row.sequence == s)
+          cell = {intervalOf(row.ratio, row.ratios), row.verdict != Verdict::undecided};
       }
       cells.push_back(cell);
     }

@@ -10,15 +10,18 @@
 
 namespace svoscope {
 
-/// RPE translation, RPE rotation and ATE of each of our systems (form of the paper's tables 1, 3, 6, 7).
+/// RPE translation, RPE rotation and ATE of each of our systems (form of the paper's tables 1, 3,
+/// 6, 7).
 ReportTable errorTable(const BenchResults& results);
 /// ATE and tracked fraction beside external systems.
 ReportTable peerTable(const BenchResults& results);
-/// One figure, a column for each of our systems ("keyframes", "init_time_s", "fps" ...; forms of the
-/// paper's tables 2, 4, 5).
-ReportTable figureTableOf(const BenchResults& results, const std::string& key, const std::string& note);
+/// One figure, a column for each of our systems ("keyframes", "init_time_s", "fps" ...; forms of
+/// the paper's tables 2, 4, 5).
+ReportTable figureTableOf(const BenchResults& results, const std::string& key,
+                          const std::string& note);
 /// Ratio, interval and verdict of each pair of systems over all sequences.
-ReportTable comparisonTable(const BenchResults& results, const std::vector<Comparison>& comparisons);
+ReportTable comparisonTable(const BenchResults& results,
+                            const std::vector<Comparison>& comparisons);
 /// Ratio of ATE of each pair on each sequence.
 ReportTable ratioTable(const BenchResults& results, const std::vector<Comparison>& comparisons);
 /// Runs that do not count, with the reason.

@@ -11,7 +11,8 @@
 
 namespace svoscope {
 
-void YamlReader::fail(const YAML::Node& node, const std::string& what, const std::string& remedy) const {
+void YamlReader::fail(const YAML::Node& node, const std::string& what,
+                      const std::string& remedy) const {
   const int line = node.IsDefined() ? node.Mark().line + 1 : 0;
   throw YamlFault{inputError(what, line > 0 ? place(file_, line) : file_.string(), remedy)};
 }
@@ -33,16 +34,21 @@ std::string YamlReader::text(const YAML::Node& node, const std::string& what) co
   return expanded(node, node.as<std::string>());
 }
 
-double YamlReader::number(const YAML::Node& node, const std::string& what, double low, double high) const {
+double YamlReader::number(const YAML::Node& node, const std::string& what, double low,
+                          double high) const {
   const auto value = parseNumber(text(node, what));
   if (!value || !(*value >= low && *value <= high))
-    fail(node, fmt::format("{} '{}' is not a number from {:g} to {:g}", what, text(node, what), low, high), "");
+    fail(
+        node,
+        fmt::format("{} '{}' is not a number from {:g} to {:g}", what, text(node, what), low, high),
+        "");
   return *value;
 }
 
 int YamlReader::integer(const YAML::Node& node, const std::string& what, int low, int high) const {
   const double value = number(node, what, low, high);
-  if (value != std::floor(value)) fail(node, fmt::format("{} '{}' is not a whole number", what, value), "");
+  if (value != std::floor(value))
+    fail(node, fmt::format("{} '{}' is not a whole number", what, value), "");
   return static_cast<int>(value);
 }
 

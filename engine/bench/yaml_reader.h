@@ -23,9 +23,11 @@ class YamlReader {
   /// `expand`: an unset ${NAME} is an error; otherwise it stays as it is.
   YamlReader(std::filesystem::path file, bool expand) : file_(std::move(file)), expand_(expand) {}
 
-  [[noreturn]] void fail(const YAML::Node& node, const std::string& what, const std::string& remedy) const;
+  [[noreturn]] void fail(const YAML::Node& node, const std::string& what,
+                         const std::string& remedy) const;
   /// Faults unless `node` is a map with no other keys than these; `what` names it in the message.
-  void requireKeys(const YAML::Node& node, const std::vector<std::string>& known, const std::string& what) const;
+  void requireKeys(const YAML::Node& node, const std::vector<std::string>& known,
+                   const std::string& what) const;
   /// A scalar with ${NAME} replaced.
   std::string text(const YAML::Node& node, const std::string& what) const;
   double number(const YAML::Node& node, const std::string& what, double low, double high) const;

@@ -28,9 +28,9 @@ Error nothingMatches(const Trajectory& gt, const Trajectory& est, double max_dt)
                ? std::string("is empty")
                : fmt::format("covers {:.3f} to {:.3f} s", t.front().timestamp, t.back().timestamp);
   };
-  const bool apart = !gt.empty() && !est.empty() &&
-                     (gt.back().timestamp < est.front().timestamp ||
-                      est.back().timestamp < gt.front().timestamp);
+  const bool apart =
+      !gt.empty() && !est.empty() &&
+      (gt.back().timestamp < est.front().timestamp || est.back().timestamp < gt.front().timestamp);
   return inputError(
       apart ? std::string("the timestamps do not overlap")
             : fmt::format("no timestamps match within {} s", max_dt),

@@ -10,7 +10,9 @@ namespace svoscope {
 namespace {
 
 /// The distribution of the standard library differs between implementations; this does not.
-std::size_t draw(std::mt19937_64& random, std::size_t count) { return static_cast<std::size_t>(random() % count); }
+std::size_t draw(std::mt19937_64& random, std::size_t count) {
+  return static_cast<std::size_t>(random() % count);
+}
 
 double resampledMean(std::mt19937_64& random, const std::vector<double>& values) {
   double sum = 0;
@@ -46,7 +48,8 @@ Interval bootstrapMean(const std::vector<double>& values, const BootstrapOptions
   return percentiles(std::move(means), options.level);
 }
 
-PairedDifference bootstrapPaired(const std::vector<PairedGroup>& groups, const BootstrapOptions& options) {
+PairedDifference bootstrapPaired(const std::vector<PairedGroup>& groups,
+                                 const BootstrapOptions& options) {
   PairedDifference result;
   result.groups = static_cast<int>(groups.size());
   if (groups.empty() || options.resamples < 1) return result;

@@ -31,9 +31,10 @@ struct PairedDifference {
   int groups = 0;
 };
 
-/// Percentile interval of the mean difference. Groups are drawn with replacement, and within a group
-/// the runs of a and of b: both the choice of sequences and the spread of runs count.
-PairedDifference bootstrapPaired(const std::vector<PairedGroup>& groups, const BootstrapOptions& options = {});
+/// Percentile interval of the mean difference. Groups are drawn with replacement, and within a
+/// group the runs of a and of b: both the choice of sequences and the spread of runs count.
+PairedDifference bootstrapPaired(const std::vector<PairedGroup>& groups,
+                                 const BootstrapOptions& options = {});
 
 double meanOf(const std::vector<double>& values);  ///< 0 if empty
 

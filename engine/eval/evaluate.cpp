@@ -67,7 +67,8 @@ ErrorStatistics statisticsOf(std::vector<double> values) {
 Result<EvalResult> evaluate(const Trajectory& ground_truth, const Trajectory& estimate,
                             const EvalOptions& options) {
   const bool shift = options.time_offset != 0 && !options.by_row;
-  const Trajectory estimate_on_clock = shift ? shifted(estimate, options.time_offset) : Trajectory();
+  const Trajectory estimate_on_clock =
+      shift ? shifted(estimate, options.time_offset) : Trajectory();
   const Trajectory& stamped = shift ? estimate_on_clock : estimate;
   const auto pairs = options.by_row ? associateByRow(ground_truth, stamped)
                                     : associateByTime(ground_truth, stamped, options.max_dt);
@@ -77,7 +78,8 @@ Result<EvalResult> evaluate(const Trajectory& ground_truth, const Trajectory& es
     gt.push_back(ground_truth[pair.gt]);
     est.push_back(stamped[pair.est]);
   }
-  const std::size_t first = options.align_first > 0 ? static_cast<std::size_t>(options.align_first) : est.size();
+  const std::size_t first =
+      options.align_first > 0 ? static_cast<std::size_t>(options.align_first) : est.size();
   const std::size_t count = std::min(first, est.size());
   const auto T_gt_est = alignPoints(positions(est, count), positions(gt, count), options.alignment);
   if (!T_gt_est.ok()) return T_gt_est.error();

@@ -112,9 +112,10 @@ Status judgeRepeats(const std::vector<int>& lines, const fs::path& file, Repeate
                     TrajectoryFile& result) {
   if (lines.empty()) return Done{};
   if (repeats == RepeatedStamps::reject) {
-    return inputError(fmt::format("the timestamp is that of the row above ({} such rows)", lines.size()),
-                      place(file, lines.front()),
-                      "an estimate has one pose for a time: drop the rows, or write more digits");
+    return inputError(
+        fmt::format("the timestamp is that of the row above ({} such rows)", lines.size()),
+        place(file, lines.front()),
+        "an estimate has one pose for a time: drop the rows, or write more digits");
   }
   const std::size_t rows = result.poses.size() + lines.size();
   const std::string what =

@@ -11,15 +11,6 @@ namespace svoscope {
 
 namespace {
 
-/// 1, 2 or 5 times a power of ten, for about `n` steps.
-double niceStep(double span, int n) {
-  const double raw = span / n, power = std::pow(10, std::floor(std::log10(raw)));
-  for (const double m : {1.0, 2.0, 5.0}) {
-    if (m * power >= raw * (1 - 1e-9)) return m * power;
-  }
-  return 10 * power;
-}
-
 /// 1, 2 or 5 times a power of ten at or below (`up`: above) v > 0.
 double niceBound(double v, bool up) {
   const double power = std::pow(10, std::floor(std::log10(v)));
@@ -32,6 +23,14 @@ double niceBound(double v, bool up) {
 }
 
 }  // namespace
+
+double niceStep(double span, int n) {
+  const double raw = span / n, power = std::pow(10, std::floor(std::log10(raw)));
+  for (const double m : {1.0, 2.0, 5.0}) {
+    if (m * power >= raw * (1 - 1e-9)) return m * power;
+  }
+  return 10 * power;
+}
 
 double Axis::part(double v) const {
   if (log) return (std::log10(v) - std::log10(low)) / (std::log10(high) - std::log10(low));
@@ -47,7 +46,8 @@ std::vector<double> Axis::ticks() const {
     return values;
   }
   const bool between = high / low < 150;
-  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high * 1.001; power *= 10) {
+  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high * 1.001;
+       power *= 10) {
     for (const double m : {1.0, 2.0, 5.0}) {
       const double v = m * power;
       if (m > 1 && !between) break;
@@ -77,7 +77,8 @@ Axis fitAxis(const std::vector<double>& values, bool log, bool from_zero, AxisFi
   axis.step = niceStep(high - low, steps);
   const double margin = 0.04 * (high - low);
   axis.low = fit == AxisFit::tight ? low - margin : std::floor(low / axis.step + 1e-9) * axis.step;
-  axis.high = fit == AxisFit::tight ? high + margin : std::ceil(high / axis.step - 1e-9) * axis.step;
+  axis.high =
+      fit == AxisFit::tight ? high + margin : std::ceil(high / axis.step - 1e-9) * axis.step;
   return axis;
 }
 

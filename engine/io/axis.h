@@ -28,6 +28,9 @@ enum class AxisFit {
 Axis fitAxis(const std::vector<double>& values, bool log, bool from_zero,
              AxisFit fit = AxisFit::round, int steps = 6);
 
+/// 1, 2 or 5 times a power of ten, so that a span has about `n` steps or fewer.
+double niceStep(double span, int n);
+
 /// A tick's value as short as can be: "0", "0.02", "1500".
 std::string tickText(double value);
 

@@ -53,8 +53,9 @@ SvgPlot trajectoryPlot(const Trajectory& ground_truth, const std::vector<NamedEv
   plot.curves.push_back(std::move(gt));
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     SvgCurve curve{estimates[i].name, otherStyle(static_cast<int>(i)), {}, {}};
-    fill(curve, estimates[i].result, [&](const PoseError& e) { return e.position_est[plane.u]; },
-         [&](const PoseError& e) { return e.position_est[plane.v]; });
+    fill(
+        curve, estimates[i].result, [&](const PoseError& e) { return e.position_est[plane.u]; },
+        [&](const PoseError& e) { return e.position_est[plane.v]; });
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -68,9 +69,10 @@ SvgPlot errorPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& 
   plot.y_label = "error, m";
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     SvgCurve curve{estimates[i].name, otherStyle(static_cast<int>(i)), {}, {}};
-    fill(curve, estimates[i].result,
-         [&](const PoseError& e) { return e.timestamp - ground_truth.front().timestamp; },
-         [](const PoseError& e) { return e.error_m; });
+    fill(
+        curve, estimates[i].result,
+        [&](const PoseError& e) { return e.timestamp - ground_truth.front().timestamp; },
+        [](const PoseError& e) { return e.error_m; });
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -86,9 +88,10 @@ std::string errorsCsv(const std::vector<NamedEval>& estimates) {
   std::string text = "estimate,timestamp,error_m,gt_x,gt_y,gt_z,est_x,est_y,est_z\n";
   for (const NamedEval& estimate : estimates) {
     for (const PoseError& e : estimate.result.errors) {
-      text += fmt::format("{},{:.6f},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", quoted(estimate.name),
-                          e.timestamp, e.error_m, e.position_gt.x(), e.position_gt.y(), e.position_gt.z(),
-                          e.position_est.x(), e.position_est.y(), e.position_est.z());
+      text += fmt::format("{},{:.6f},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                          quoted(estimate.name), e.timestamp, e.error_m, e.position_gt.x(),
+                          e.position_gt.y(), e.position_gt.z(), e.position_est.x(),
+                          e.position_est.y(), e.position_est.z());
     }
   }
   return text;
@@ -127,8 +130,11 @@ Status writeEvalPlots(const std::filesystem::path& folder, const Trajectory& gro
                       const std::vector<NamedEval>& estimates) {
   Status status = makeFolder(folder);
   if (status.ok())
-    status = writeWhole(folder / "trajectories.svg", drawPlot(trajectoryPlot(ground_truth, estimates)).standalone());
-  if (status.ok()) status = writeWhole(folder / "error.svg", drawPlot(errorPlot(ground_truth, estimates)).standalone());
+    status = writeWhole(folder / "trajectories.svg",
+                        drawPlot(trajectoryPlot(ground_truth, estimates)).standalone());
+  if (status.ok())
+    status =
+        writeWhole(folder / "error.svg", drawPlot(errorPlot(ground_truth, estimates)).standalone());
   if (status.ok()) status = writeWhole(folder / "errors.csv", errorsCsv(estimates));
   return status;
 }

@@ -25,13 +25,14 @@ struct PlotPlane {
 };
 PlotPlane planeOf(const std::vector<Vec3>& positions);
 
-/// Writes into `folder`, made if absent: trajectories.svg (aligned estimates over ground truth in the
-/// plane of largest extent), error.svg (error over time) and errors.csv (a row per match). Gaps longer
-/// than ten times the usual step interrupt a curve. Output error naming the file.
+/// Writes into `folder`, made if absent: trajectories.svg (aligned estimates over ground truth in
+/// the plane of largest extent), error.svg (error over time) and errors.csv (a row per match). Gaps
+/// longer than ten times the usual step interrupt a curve. Output error naming the file.
 Status writeEvalPlots(const std::filesystem::path& folder, const Trajectory& ground_truth,
                       const std::vector<NamedEval>& estimates);
 
-/// Indices before which a curve over these times is interrupted: the step is longer than so many medians.
+/// Indices before which a curve over these times is interrupted: the step is longer than so many
+/// medians.
 std::vector<std::size_t> gapsIn(const std::vector<double>& times, double medians = 10);
 
 }  // namespace svoscope

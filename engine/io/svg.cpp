@@ -20,11 +20,21 @@ std::string xmlEscaped(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
       default: {
         const auto code = static_cast<unsigned char>(c);
         escaped += code < 32 && c != '\n' && c != '\t' ? '?' : c;
@@ -38,8 +48,8 @@ Svg::Svg(double width, double height, const std::string& label)
     : width_(width), height_(height), label_(label) {}
 
 void Svg::line(SvgPoint a, SvgPoint b, const std::string& attributes) {
-  body_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", a.x, a.y, b.x,
-                       b.y, attributes);
+  body_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", a.x,
+                       a.y, b.x, b.y, attributes);
 }
 
 void Svg::polyline(const std::vector<SvgPoint>& points, const std::string& attributes) {
@@ -57,29 +67,32 @@ void Svg::polyline(const std::vector<SvgPoint>& points, const std::string& attri
 }
 
 void Svg::rect(SvgPoint corner, double width, double height, const std::string& attributes) {
-  body_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", corner.x,
-                       corner.y, width, height, attributes);
+  body_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n",
+                       corner.x, corner.y, width, height, attributes);
 }
 
 void Svg::circle(SvgPoint centre, double radius, const std::string& attributes) {
-  body_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}/>\n", centre.x, centre.y, radius,
-                       attributes);
+  body_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}/>\n", centre.x,
+                       centre.y, radius, attributes);
 }
 
 void Svg::cross(SvgPoint c, double r, const std::string& attributes) {
-  body_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", c.x - r,
-                       c.y - r, c.x + r, c.y + r, c.x - r, c.y + r, c.x + r, c.y - r, attributes);
+  body_ += fmt::format(
+      "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", c.x - r,
+      c.y - r, c.x + r, c.y + r, c.x - r, c.y + r, c.x + r, c.y - r, attributes);
 }
 
 void Svg::text(SvgPoint at, const std::string& text, SvgAnchor anchor, const std::string& css) {
   const char* names[] = {"start", "middle", "end"};
-  body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"{}\">{}</text>\n", at.x,
-                       at.y, names[static_cast<int>(anchor)], css, xmlEscaped(text));
+  body_ +=
+      fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"{}\">{}</text>\n",
+                  at.x, at.y, names[static_cast<int>(anchor)], css, xmlEscaped(text));
 }
 
 void Svg::turnedText(SvgPoint at, const std::string& text, const std::string& css) {
   body_ += fmt::format(
-      "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" text-anchor=\"middle\" class=\"{}\">{}</text>\n",
+      "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" text-anchor=\"middle\" "
+      "class=\"{}\">{}</text>\n",
       at.x, at.y, css, xmlEscaped(text));
 }
 
@@ -95,7 +108,8 @@ void Svg::endClip() { body_ += "</svg>\n"; }
 
 std::string Svg::head(bool standalone) const {
   return fmt::format(
-      "<svg {}viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" role=\"img\" aria-label=\"{}\">\n",
+      "<svg {}viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" role=\"img\" "
+      "aria-label=\"{}\">\n",
       standalone ? "xmlns=\"http://www.w3.org/2000/svg\" " : "", width_, height_, width_, height_,
       xmlEscaped(label_));
 }
@@ -104,8 +118,9 @@ std::string Svg::inlined() const { return head(false) + body_ + "</svg>\n"; }
 
 std::string Svg::standalone() const {
   return head(true) + "<style>\n" + kSvgStyle + "</style>\n" +
-         fmt::format("<rect class=\"ground\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_, height_) + body_ +
-         "</svg>\n";
+         fmt::format("<rect class=\"ground\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_,
+                     height_) +
+         body_ + "</svg>\n";
 }
 
 }  // namespace svoscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vector graphics as text. Colours that are not those of the data are classes of kSvgStyle, so that a
-// figure can be read on light and on dark ground.
+// Vector graphics as text. Colours that are not those of the data are classes of kSvgStyle, so that
+// a figure can be read on light and on dark ground.
 #pragma once
 
 #include <string>

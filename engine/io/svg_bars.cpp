@@ -16,7 +16,9 @@ constexpr double kTop = 26, kRight = 24, kBottom = 40, kGlyph = 6.8, kLegendRow 
 class Bars {
  public:
   explicit Bars(const SvgBarChart& c)
-      : c_(c), row_(c.series.size() > 5 ? 9 : 12), svg_(c.width, height(c, row_), c.title + ": " + c.x_label) {
+      : c_(c),
+        row_(c.series.size() > 5 ? 9 : 12),
+        svg_(c.width, height(c, row_), c.title + ": " + c.x_label) {
     std::size_t longest = 0;
     std::vector<double> values;
     for (const SvgBarGroup& group : c.groups) {
@@ -51,9 +53,12 @@ class Bars {
 
  private:
   static double groupsHeight(const SvgBarChart& c, double row) {
-    return static_cast<double>(c.groups.size()) * (row * static_cast<double>(c.series.size()) + kGap);
+    return static_cast<double>(c.groups.size()) *
+           (row * static_cast<double>(c.series.size()) + kGap);
   }
-  static double entryWidth(const SvgBarSeries& s) { return 26 + kGlyph * static_cast<double>(s.name.size()) + 14; }
+  static double entryWidth(const SvgBarSeries& s) {
+    return 26 + kGlyph * static_cast<double>(s.name.size()) + 14;
+  }
   static int legendRows(const SvgBarChart& c) {
     if (c.series.size() < 2) return 0;
     double x = 4;
@@ -79,7 +84,9 @@ class Bars {
       svg_.text({px(v), bottom_ + 15}, tickText(v), SvgAnchor::middle, "dim");
     }
     svg_.line({left_, bottom_}, {right_, bottom_}, "class=\"axis\"");
-    if (c_.reference) svg_.line({px(*c_.reference), kTop}, {px(*c_.reference), bottom_}, "class=\"axis\" stroke-width=\"1.5\"");
+    if (c_.reference)
+      svg_.line({px(*c_.reference), kTop}, {px(*c_.reference), bottom_},
+                "class=\"axis\" stroke-width=\"1.5\"");
     svg_.text({0.5 * (left_ + right_), bottom_ + 32}, c_.x_label, SvgAnchor::middle, "dim");
   }
 
@@ -88,14 +95,17 @@ class Bars {
       svg_.text({left_ + 4, y + 4}, "-", SvgAnchor::start, "dim");
       return;
     }
-    const std::string fill = style.color.empty() ? "class=\"ink\"" : fmt::format("fill=\"{}\"", style.color);
+    const std::string fill = style.fill();
     const bool dots = c_.log || c_.dots;
-    if (!dots) svg_.rect({left_, y - 0.5 * row_ + 1}, std::max(0.0, px(bar->value) - left_), row_ - 2, fill);
+    if (!dots)
+      svg_.rect({left_, y - 0.5 * row_ + 1}, std::max(0.0, px(bar->value) - left_), row_ - 2, fill);
     if (bar->high > bar->low) {
-      const std::string ink = dots && !style.color.empty() ? fmt::format("stroke=\"{}\" stroke-width=\"2\"", style.color)
-                                                           : "class=\"loss\" stroke-width=\"1\"";
+      const std::string ink = dots && !style.color.empty()
+                                  ? fmt::format("stroke=\"{}\" stroke-width=\"2\"", style.color)
+                                  : "class=\"loss\" stroke-width=\"1\"";
       svg_.line({px(bar->low), y}, {px(bar->high), y}, ink);
-      for (const double end : {bar->low, bar->high}) svg_.line({px(end), y - 2.5}, {px(end), y + 2.5}, ink);
+      for (const double end : {bar->low, bar->high})
+        svg_.line({px(end), y - 2.5}, {px(end), y + 2.5}, ink);
     }
     if (dots) svg_.circle({px(bar->value), y}, 3.5, fill);
   }
@@ -108,8 +118,7 @@ class Bars {
         x = 4;
         y += kLegendRow;
       }
-      const std::string fill = s.style.color.empty() ? "class=\"ink\"" : fmt::format("fill=\"{}\"", s.style.color);
-      svg_.rect({x, y - 9}, 16, 10, fill);
+      svg_.rect({x, y - 9}, 16, 10, s.style.fill());
       svg_.text({x + 22, y}, s.name, SvgAnchor::start, "ink");
       x += entryWidth(s);
     }

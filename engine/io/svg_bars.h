@@ -29,8 +29,8 @@ struct SvgBarChart {
   std::string title, x_label;  ///< label with unit
   std::vector<SvgBarSeries> series;
   std::vector<SvgBarGroup> groups;
-  bool log = false;   ///< draws dots: bars have no beginning on a logarithmic axis
-  bool dots = false;  ///< dots on a linear axis
+  bool log = false;                 ///< draws dots: bars have no beginning on a logarithmic axis
+  bool dots = false;                ///< dots on a linear axis
   std::optional<double> reference;  ///< a vertical line, always inside of the axis
   double width = 760;
 };

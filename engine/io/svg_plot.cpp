@@ -36,7 +36,8 @@ class Plot {
     drawAxes();
     svg_.beginClip({kLeft, kTop}, right_ - kLeft, bottom_ - kTop);
     for (const SvgCurve& c : p_.curves) drawCurve(c);
-    for (const SvgPoint& loss : p_.losses) svg_.cross(at(loss.x, loss.y), 3.5, "class=\"loss\" stroke-width=\"1.4\"");
+    for (const SvgPoint& loss : p_.losses)
+      svg_.cross(at(loss.x, loss.y), 3.5, "class=\"loss\" stroke-width=\"1.4\"");
     svg_.endClip();
     drawLegend();
     return svg_;
@@ -44,9 +45,13 @@ class Plot {
 
  private:
   static int steps(double px, double each) { return std::max(2, static_cast<int>(px / each)); }
-  static std::string label(const SvgPlot& p) { return p.title + ": " + p.y_label + " over " + p.x_label; }
+  static std::string label(const SvgPlot& p) {
+    return p.title + ": " + p.y_label + " over " + p.x_label;
+  }
 
-  static double entryWidth(const SvgCurve& c) { return 40 + kGlyph * static_cast<double>(c.name.size()) + 14; }
+  static double entryWidth(const SvgCurve& c) {
+    return 40 + kGlyph * static_cast<double>(c.name.size()) + 14;
+  }
 
   /// Rows the legend needs.
   static int legendRows(const SvgPlot& p) {
@@ -74,7 +79,8 @@ class Plot {
     };
     widen(x_, w);
     widen(y_, h);
-    x_.step = y_.step = std::max(x_.step, y_.step);
+    x_.step = niceStep(x_.high - x_.low, steps(w, 70));
+    y_.step = niceStep(y_.high - y_.low, steps(h, 45));
   }
 
   SvgPoint at(double x, double y) const {
@@ -101,7 +107,8 @@ class Plot {
     std::vector<SvgPoint> piece;
     const auto flush = [&] {
       // A pose between two losses would vanish as a line without length.
-      if (piece.size() == 1) svg_.circle(piece[0], 0.6 * c.width, "fill=\"none\" " + c.style.stroke(c.width));
+      if (piece.size() == 1)
+        svg_.circle(piece[0], 0.6 * c.width, "fill=\"none\" " + c.style.stroke(c.width));
       if (piece.size() > 1) svg_.polyline(piece, c.style.stroke(c.width));
       piece.clear();
     };
@@ -141,6 +148,11 @@ std::string SvgStyle::stroke(double width) const {
   const std::string dashes = dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash);
   const std::string ink = color.empty() ? "class=\"truth\"" : fmt::format("stroke=\"{}\"", color);
   return fmt::format("{} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\"{}", ink, width, dashes);
+}
+
+std::string SvgStyle::fill() const {
+  const std::string ink = color.empty() ? "class=\"ink\"" : fmt::format("fill=\"{}\"", color);
+  return opacity < 1 ? ink + fmt::format(" fill-opacity=\"{:g}\"", opacity) : ink;
 }
 
 Svg drawPlot(const SvgPlot& plot) { return Plot(plot).draw(); }

@@ -11,10 +11,12 @@ namespace svoscope {
 
 /// How a system is drawn, everywhere. Colour is never the only cue.
 struct SvgStyle {
-  std::string color;  ///< "#56b4e9"; empty: that of the ground truth
-  std::string dash;   ///< as in SVG, "6 3"; empty: solid
+  std::string color;   ///< "#56b4e9"; empty: that of the ground truth
+  std::string dash;    ///< as in SVG, "6 3"; empty: solid
+  double opacity = 1;  ///< of bars and dots
 
   std::string stroke(double width) const;  ///< attributes of a line
+  std::string fill() const;                ///< attributes of a bar or dot
 };
 
 struct SvgCurve {

@@ -11,8 +11,8 @@ namespace svoscope {
 /// has the colour of it-svo.
 SvgStyle methodStyle(const std::string& method);
 
-/// For what has no colour of its own, such as external trajectories: Okabe-Ito colours the methods do
-/// not use, dashed from the sixth on.
+/// For what has no colour of its own, such as external trajectories: Okabe-Ito colours the methods
+/// do not use, dashed from the sixth on.
 SvgStyle otherStyle(int number);
 
 }  // namespace svoscope
