@@ -167,7 +167,7 @@ TEST_F(BenchTest, ErrorsHaveTheirExitCodes) {
   EXPECT_EQ(run(path("absent.yaml") + " --out " + path("o")).exit_code, 3);
   EXPECT_EQ(run(path("bench.yaml") + " --out " + path("file")).exit_code, 4);
   EXPECT_EQ(run("--report --out " + path("absent")).exit_code, 3);
-  for (const std::string arguments :
+  for (const std::string& arguments :
        {std::string(), "--out " + path("o"), path("bench.yaml"),
         path("bench.yaml") + " --out o --shard 3/2", path("bench.yaml") + " --out o --shard x",
         path("bench.yaml") + " --out o --jobs 0", "--merge " + path("o")})
