@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
+#include <thread>
 
 #include "engine/base/stopwatch.h"
 #include "engine/bench/cell_queue.h"
+#include "engine/bench/cell_text.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {
@@ -24,42 +26,6 @@ bool isSynthetic(const BenchSequence& sequence) {
 std::string readFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(in), {});
-}
-
-/// What the program gave as its last error.
-std::string lastError(const fs::path& log) {
-  std::ifstream in(log);
-  std::string line, last;
-  const std::string mark = "svoscope: error: ";
-  while (std::getline(in, line)) {
-    if (line.rfind(mark, 0) == 0) last = line.substr(mark.size());
-  }
-  // What helps stands in the log; a table has room for what is wrong.
-  const std::size_t remedy = last.rfind(" (");
-  if (remedy != std::string::npos && last.back() == ')') last.resize(remedy);
-  return last;
-}
-
-std::string reasonOf(const CellRecord& record, const fs::path& folder, double timeout_s) {
-  if (record.timed_out) return fmt::format("took longer than {:g} s", timeout_s);
-  if (record.signal != 0) return fmt::format("ended by signal {}", record.signal);
-  if (record.exit_code == 0) return "";
-  if (record.exit_code == 5) return "never initialised";
-  const std::string error = lastError(folder / "log.txt");
-  return error.empty() ? fmt::format("exit code {}", record.exit_code) : error;
-}
-
-/// "ATE 0.0440 m, 100 % tracked" for the line of progress.
-std::string headline(const fs::path& folder) {
-  std::ifstream in(folder / "metrics.json");
-  const auto json = nlohmann::json::parse(in, nullptr, false);
-  if (!json.is_object()) return "no figures";
-  const auto ate = json.value("ate", nlohmann::json());
-  const auto tracked = json.value("tracked_fraction_after_init", nlohmann::json());
-  std::string text =
-      ate.is_object() ? fmt::format("ATE {:.4f} m", ate.value("rmse_m", 0.0)) : "no ATE";
-  if (tracked.is_number()) text += fmt::format(", {:.0f} % tracked", 100 * tracked.get<double>());
-  return text;
 }
 
 std::string duration(double s) {
@@ -198,8 +164,10 @@ class Bench {
           {{options_.program.string(), "synth", sequence.path}, folder, temporaryBeside(folder)});
       sequences.push_back(&sequence);
     }
+    // No times are taken here: all processors.
+    const int jobs = std::max(options_.jobs, static_cast<int>(std::thread::hardware_concurrency()));
     return runQueue(
-        runs, {options_.jobs, 0, options_.stop}, [&](std::size_t i, const RunEnd& end) -> Status {
+        runs, {jobs, 0, options_.stop}, [&](std::size_t i, const RunEnd& end) -> Status {
           if (end.end.exit_code != 0)
             return outputError("cannot be rendered: " + lastError(runs[i].temporary / "log.txt"),
                                sequences[i]->path, "is the disk full?");

@@ -31,12 +31,16 @@ std::vector<std::string> flatHeader(const ReportTable& table) {
   return names;
 }
 
-/// Mean above its spread: side by side they make a table too wide for a page.
+/// Mean above its spread, error above the fraction tracked: side by side they make a table too wide
+/// for a page.
 std::string htmlCell(const std::string& text) {
-  const std::string mark = " \xC2\xB1 ";
-  const std::size_t at = text.find(mark);
-  if (at == std::string::npos) return xmlEscaped(text);
-  return xmlEscaped(text.substr(0, at)) + "<small>" + xmlEscaped(text.substr(at + 1)) + "</small>";
+  for (const std::string& mark : {std::string(" \xC2\xB1 "), std::string(" @ ")}) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string::npos) continue;
+    const std::size_t rest = mark == " @ " ? at + mark.size() : at + 1;
+    return xmlEscaped(text.substr(0, at)) + "<small>" + xmlEscaped(text.substr(rest)) + "</small>";
+  }
+  return xmlEscaped(text);
 }
 
 const std::string& textOf(const ReportRow& row, std::size_t column) {
@@ -95,13 +99,26 @@ std::string latexEscaped(const std::string& text) {
   return result;
 }
 
+namespace {
+
+/// The spread after a mean is set small: nine columns of both would not fit on a page.
+std::string latexCell(const std::string& text) {
+  const std::string escaped = latexEscaped(text), mark = " $\\pm$ ";
+  const std::size_t at = escaped.find(mark);
+  if (at == std::string::npos) return escaped;
+  return escaped.substr(0, at) + "{\\tiny$\\pm$" + escaped.substr(at + mark.size()) + "}";
+}
+
+}  // namespace
+
 std::string tableLatex(const ReportTable& table) {
   const std::size_t columns = table.header.size();
   std::string layout;
   for (std::size_t i = 0; i < columns; ++i)
     layout += static_cast<int>(i) < table.text_columns ? 'l' : 'r';
   std::string text = fmt::format(
-      "\\begin{{table}}\n\\centering\n\\caption{{{}.{}{}}}\n\\label{{tab:{}}}\n",
+      "\\begin{{table}}\n\\centering\n\\footnotesize\n\\setlength{{\\tabcolsep}}{{3pt}}\n\\caption{"
+      "{{}.{}{}}}\n\\label{{tab:{}}}\n",
       latexEscaped(table.title), table.note.empty() ? "" : " ", latexEscaped(table.note), table.id);
   text += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", layout);
   std::string groups;
@@ -119,7 +136,7 @@ std::string tableLatex(const ReportTable& table) {
       continue;
     }
     for (std::size_t i = 0; i < columns; ++i) {
-      const std::string cell = latexEscaped(textOf(row, i));
+      const std::string cell = latexCell(textOf(row, i));
       text += (i ? " & " : "") + (strong(row, i) ? "\\textbf{" + cell + "}" : cell);
     }
     text += " \\\\\n";

@@ -227,7 +227,8 @@ ReportTable failureTable(const BenchResults& results) {
     for (std::size_t m = 0; m < results.systems.size(); ++m) {
       std::map<std::string, int> reasons;
       for (const RunResult& run : results.runs[s][m]) {
-        if (!run.good) ++reasons[run.why];
+        const bool absent_peer = results.systems[m].peer && !run.present;
+        if (!run.good && !absent_peer) ++reasons[run.why];
       }
       for (const auto& [reason, count] : reasons) {
         const bool right = results.config.sequences[s].still && reason == "never initialised";

@@ -45,7 +45,7 @@ std::vector<double> Axis::ticks() const {
       values.push_back(i == 0 ? 0.0 : i * step);
     return values;
   }
-  const bool between = high / low < 150;
+  const bool between = high / low < 500;
   for (double power = std::pow(10, std::floor(std::log10(low))); power <= high * 1.001;
        power *= 10) {
     for (const double m : {1.0, 2.0, 5.0}) {

@@ -111,6 +111,22 @@ TEST_F(BenchTest, CtrlCKeepsWhatIsDone) {
     EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
 }
 
+TEST_F(BenchTest, AKilledRunCostsOnlyItself) {
+  if (!fs::exists("/proc/self/task")) GTEST_SKIP() << "no /proc";
+  // The children of the bench once the first run writes: that run.
+  const std::string kill =
+      "for i in $(seq 1200); do ls " + path("k") +
+      "/cells/*/*/.run-1*/frames.csv >/dev/null 2>&1 && break; sleep 0.02; done; "
+      "kill -KILL $(cat /proc/$pid/task/$pid/children)";
+  bench("k", "2>" + path("err") + " & pid=$!; " + kill + "; wait $pid; exit $?; true");
+  EXPECT_NE(test::readText(folder / "err").find("ended by signal 9"), std::string::npos)
+      << test::readText(folder / "err");
+  EXPECT_NE(test::readText(folder / "k/results.csv").find("ended by signal 9"), std::string::npos);
+  const Outcome again = bench("k");
+  EXPECT_NE(again.err.find("6 cells, 5 finished before, 1 to run"), std::string::npos) << again.err;
+  EXPECT_EQ(test::readText(folder / "k/results.csv").find("ended by signal 9"), std::string::npos);
+}
+
 TEST_F(BenchTest, ShardsTogetherAreTheWhole) {
   ASSERT_EQ(bench("whole").exit_code, 0);
   ASSERT_EQ(bench("one", "--shard 1/2").exit_code, 0);

@@ -56,7 +56,7 @@ inline void makeCell(const std::filesystem::path& dir, const BenchCell& cell, do
                 ", \"init_time_s\": 0.5, \"keyframes\": 7, \"losses\": 1, \"fps\": 50, "
                 "\"relocalisation_time_s\": 0.25, \"time_ms\": {\"tracking\": {\"median\": 2}}}");
   writeText(folder / "frames.csv",
-            "index,timestamp,state\n3,0.300000,\"tracking\"\n4,0.400000,\"lost\"\n");
+            "index,timestamp,state,pose_good\n3,0.300000,\"tracking\",1\n4,0.400000,\"lost\",0\n");
   CellRecord record;
   record.version = "1";
   record.machine = "here";
