@@ -90,6 +90,7 @@ class Bench {
   /// The report works from DIR alone.
   Status copyPeers() {
     for (const BenchPeer& peer : config_.peers) {
+      int found = 0;
       for (const BenchSequence& sequence : config_.sequences) {
         std::string file = peer.files;
         const std::string mark = "{sequence}";
@@ -97,12 +98,15 @@ class Bench {
           file.replace(at, mark.size(), sequence.name);
         std::error_code ec;
         if (!fs::is_regular_file(file, ec)) continue;
+        ++found;
         const Status made = makeFolder(options_.out / "peers" / peer.label);
         if (!made.ok()) return made;
         const Status written = writeWhole(
             options_.out / "peers" / peer.label / (sequence.name + ".txt"), readFile(file));
         if (!written.ok()) return written;
       }
+      if (found == 0 && options_.warn)
+        options_.warn(fmt::format("peer {}: no sequence has a file {}", peer.label, peer.files));
     }
     return Done{};
   }

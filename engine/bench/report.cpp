@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/bench/paper_figures.h"
 #include "engine/bench/report_tables.h"
 #include "engine/io/text_output.h"
@@ -47,6 +49,23 @@ std::vector<std::string> factsOf(const BenchResults& results) {
   return facts;
 }
 
+/// "it-svo 1 of 3 on kitti_00": what the means over the runs that count do not show.
+std::string partlyFailed(const BenchResults& results) {
+  std::string text;
+  for (std::size_t s = 0; s < results.runs.size(); ++s) {
+    for (std::size_t m = 0; m < static_cast<std::size_t>(results.own); ++m) {
+      const std::vector<RunResult>& runs = results.runs[s][m];
+      const auto good =
+          std::count_if(runs.begin(), runs.end(), [](const RunResult& r) { return r.good; });
+      if (good == 0 || good == static_cast<std::ptrdiff_t>(runs.size())) continue;
+      text += fmt::format("{}{} {} of {} on {}", text.empty() ? "" : ", ",
+                          results.systems[m].system.label, good, runs.size(),
+                          results.config.sequences[s].name);
+    }
+  }
+  return text;
+}
+
 /// How many sequences each system completes, and whether it starts where nothing moves.
 std::vector<std::string> completions(const BenchResults& results) {
   std::string completed, wrong, still;
@@ -70,6 +89,8 @@ std::vector<std::string> completions(const BenchResults& results) {
   }
   std::vector<std::string> sentences = {"Sequences completed in at least one run: " + completed +
                                         "."};
+  const std::string partly = partlyFailed(results);
+  if (!partly.empty()) sentences.push_back("Completed in some runs only: " + partly + ".");
   if (!wrong.empty())
     sentences.push_back("Starts although the camera stands still: " + wrong + ".");
   if (!still.empty() && wrong.empty())

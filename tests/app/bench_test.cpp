@@ -156,11 +156,13 @@ TEST_F(BenchTest, AChangedConfigurationRunsWhatItConcerns) {
 
 TEST_F(BenchTest, FailuresAreResultsWithAReason) {
   test::writeText(folder / "bench.yaml",
+                  "peers: [{label: A, files: 'p/a-{sequence}.txt'}]\n"
                   "sequences: [{path: 'synthetic:room?frames=20&size=320x240', name: room}, gone]\n"
                   "methods: [svo]\nmode: sync\n");
   const Outcome outcome = bench("a");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("warning: gone: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("warning: peer A: no sequence has a file"), std::string::npos);
   EXPECT_NE(test::readText(folder / "a/results.csv")
                 .find("gone,svo,svo,,1,1,0,the sequence cannot be opened,3,"),
             std::string::npos);
