@@ -120,7 +120,8 @@ ReportFigure ateFigure(const BenchResults& results) {
   chart.log = true;
   chart.width = 860;
   return {"fig-ate",
-          "ATE rmse: mean of the runs, whiskers from the best to the worst run; - failed.",
+          "ATE rmse: mean of the runs, whiskers from the best to the worst run; - failed, or no "
+          "trajectory of it.",
           drawBars(chart).inlined()};
 }
 
