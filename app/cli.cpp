@@ -22,6 +22,7 @@ constexpr const char* kFooter =
     "  svoscope synthetic:room                      watch the built-in room\n"
     "  svoscope run SEQUENCE --out results          trajectory, metrics, map\n"
     "  svoscope eval groundtruth.txt results/trajectory.txt\n"
+    "  svoscope bench bench.yaml --out bench        methods on many sequences, with report\n"
     "\n"
     "Exit codes: 0 done, 1 internal error, 2 usage, 3 input, 4 output not writable,\n"
     "5 never initialised, 130 interrupted.";
@@ -79,6 +80,8 @@ int runCommandLine(std::vector<std::string> arguments) {
   addRunCommand(app, action);
   addShotCommand(app, action);
   addEvalCommand(app, action);
+  addConvertCommand(app, action);
+  addBenchCommand(app, action);
   addSynthCommand(app, action);
   addLabCommand(app, action);
 
