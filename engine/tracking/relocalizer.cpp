@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "engine/tracking/segment_tracking.h"
+
 namespace svoscope {
 
 namespace {
@@ -52,6 +54,11 @@ cv::Mat makeThumbnail(const Pyramid& pyramid) {
   return thumbnail;
 }
 
+SE3 registeredRotation(const Pyramid& ref, const Pyramid& cur, const Pinhole& camera) {
+  double similarity = 0;
+  return shiftRotation(makeThumbnail(ref), makeThumbnail(cur), camera, similarity);
+}
+
 std::vector<AlignmentPatch> keyframePatches(const Map& map, const Keyframe& keyframe) {
   std::vector<AlignmentPatch> patches;
   for (const std::int64_t id : keyframe.landmarks) {
@@ -66,6 +73,16 @@ std::vector<AlignmentPatch> keyframePatches(const Map& map, const Keyframe& keyf
   for (const Seed& seed : keyframe.seeds) {
     if (seed.status == SeedStatus::converged)
       patches.push_back({seed.anchor.px, seed.anchor.f / seed.belief.mu});
+  }
+  constexpr int kPerSegment = 3;
+  for (const std::int64_t id : keyframe.segments) {
+    const SegmentLandmark& segment = map.segments.at(id);
+    const auto view = std::find_if(segment.views.begin(), segment.views.end(),
+                                   [&](const SegmentView& v) { return v.keyframe_id == keyframe.id; });
+    if (view == segment.views.end()) continue;
+    const ImageLine line = lineThrough(view->anchor.px[0], view->anchor.px[1]);
+    appendPatchesAlong(map.camera, keyframe.T_cam_world * segment.p_world[0], keyframe.T_cam_world * segment.p_world[1],
+                       line, kPerSegment, patches);
   }
   return patches;
 }

@@ -30,7 +30,11 @@ std::vector<RelocalizationCandidate> relocalizationCandidates(
     const Map& map, const Pyramid& pyramid, const SparseAlignmentParameters& alignment,
     const RelocalizerParameters& parameters);
 
-/// Patches of a keyframe's landmarks and converged seeds, for aligning a frame to it.
+/// T_cur_ref of the rotation that best turns one image into the other, found on their thumbnails: coarse
+/// (half a thumbnail pixel, a degree), but from far away (ten degrees).
+SE3 registeredRotation(const Pyramid& ref, const Pyramid& cur, const Pinhole& camera);
+
+/// Patches of a keyframe's landmarks, segments and converged seeds, for aligning a frame to it.
 std::vector<AlignmentPatch> keyframePatches(const Map& map, const Keyframe& keyframe);
 
 }  // namespace svoscope

@@ -145,7 +145,7 @@ class Reprojection {
     const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
     const Mat2 A = affineWarp(map_.camera, T_cur_ref, anchor.px, anchor.f, distance);
     const int top = static_cast<int>(frame_.pyramid->size()) - 1;
-    const int level = searchLevel(A, anchor.level, top);
+    const int level = std::min(top, searchLevel(A, anchor.level, top) + p_.coarser);
     WarpedPatch patch;
     if (!warpPatch((*keyframe.pyramid)[anchor.level], anchor.px, anchor.level, A, level, patch)) return false;
     const Vec2 start = toLevel(f.predicted_px, level);

@@ -19,6 +19,7 @@ struct ReprojectorParameters {
   int max_failures = 10;            ///< a landmark that failed more often, and in a fifth of its frames, is deleted
   bool unconverged_seeds = true;    ///< track seeds before they converge
   int max_tries = 500;              ///< alignments per frame
+  int coarser = 0;                  ///< levels added to the search level: each doubles the capture range
 };
 
 /// Measurement of a seed made while tracking; applied by the tracker once the pose is final.

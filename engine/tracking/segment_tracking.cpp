@@ -203,23 +203,25 @@ std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera, c
   return observations;
 }
 
+void appendPatchesAlong(const Pinhole& camera, const Vec3& p0, const Vec3& p1, const ImageLine& line, int count,
+                        std::vector<AlignmentPatch>& patches) {
+  for (int i = 0; i < count; ++i) {
+    const double u = (i + 0.5) / count;
+    const Vec3 q = (1 - u) * p0 + u * p1;
+    if (q.z() < 1e-3) continue;
+    const Vec2 px = line.closest(camera.project(q));
+    patches.push_back({px, camera.bearing(px) * q.norm()});
+  }
+}
+
 void appendSegmentPatches(const Pinhole& camera, const Frame& frame, const SegmentParameters& p,
                           std::vector<AlignmentPatch>& patches) {
-  int budget = p.max_patches;
+  const std::size_t most = patches.size() + static_cast<std::size_t>(std::max(0, p.max_patches));
   for (const TrackedSegment& s : frame.segments) {
     if (s.status != FeatureStatus::inlier || s.origin == FeatureOrigin::unconverged_seed) continue;
-    const ImageLine line = lineThrough(s.anchor.px[0], s.anchor.px[1]);
-    const int n = std::min(p.patches_per_segment, budget);
-    for (int i = 0; i < n; ++i) {
-      const double u = (i + 0.5) / n;
-      const Vec3 q = frame.T_cam_world * s.pointAt((1 - u) * s.t[0] + u * s.t[1]);
-      if (q.z() < 1e-3) continue;
-      // As with points: the direction measured there, the distance of the map.
-      const Vec2 px = line.closest(camera.project(q));
-      patches.push_back({px, camera.bearing(px) * q.norm()});
-      --budget;
-    }
-    if (budget <= 0) return;
+    const int count = std::min(p.patches_per_segment, static_cast<int>(most - patches.size()));
+    appendPatchesAlong(camera, frame.T_cam_world * s.pointAt(s.t[0]), frame.T_cam_world * s.pointAt(s.t[1]),
+                       lineThrough(s.anchor.px[0], s.anchor.px[1]), count, patches);
   }
 }
 

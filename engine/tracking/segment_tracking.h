@@ -26,6 +26,11 @@ SegmentTrackingResult trackSegments(const Map& map, const Frame& frame, const st
 std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera, const std::vector<TrackedSegment>& segments,
                                                         const SE3& T_cam_world, const SegmentParameters& parameters);
 
+/// Appends up to `count` patches evenly spaced between the points p0 and p1 (camera frame) of a segment:
+/// as with points, the direction measured in the image, the distance of the map.
+void appendPatchesAlong(const Pinhole& camera, const Vec3& p0, const Vec3& p1, const ImageLine& line, int count,
+                        std::vector<AlignmentPatch>& patches);
+
 /// Appends patches along the frame's inlier segments.
 void appendSegmentPatches(const Pinhole& camera, const Frame& frame, const SegmentParameters& parameters,
                           std::vector<AlignmentPatch>& patches);

@@ -105,26 +105,44 @@ void Tracker::initialize() {
   stageMs(record_, Stage::initialize) = watch.ms();
 }
 
-void Tracker::trackFrame() {
-  const auto& p = parameters_;
-  const auto patches = alignmentPatches();
-  const int top = std::min<int>(p.alignment.max_level, static_cast<int>(frame_.pyramid->size()) - 1);
-  Stopwatch watch;
-  const double moving = photometricError(*last_.pyramid, *frame_.pyramid, map_.camera, patches, T_velocity_, top);
-  const double still = photometricError(*last_.pyramid, *frame_.pyramid, map_.camera, patches, SE3(), top);
-  stageMs(record_, Stage::sparse_align) += watch.ms();
-  const bool use_velocity = moving <= still;
+/// Constant velocity and standing still, the one with the smaller photometric error first; then the
+/// rotation between the images as wholes.
+std::vector<Tracker::Prediction> Tracker::predictions(const std::vector<AlignmentPatch>& patches) {
+  const int top = std::min<int>(parameters_.alignment.max_level, static_cast<int>(frame_.pyramid->size()) - 1);
+  const auto error = [&](const SE3& T) {
+    return photometricError(*last_.pyramid, *frame_.pyramid, map_.camera, patches, T, top);
+  };
+  std::vector<Prediction> list = {{T_velocity_, "constant velocity"}, {SE3(), "standing"}};
+  if (error(T_velocity_) > error(SE3())) std::swap(list[0], list[1]);
+  list.push_back({SE3(), "image registration", true});
+  return list;
+}
 
-  Attempt best = alignAndAttempt(use_velocity ? T_velocity_ : SE3(), use_velocity ? "constant velocity" : "standing");
-  if (!accept(best, p.quality.min_inliers)) {
-    Attempt other = alignAndAttempt(use_velocity ? SE3() : T_velocity_, use_velocity ? "standing" : "constant velocity");
-    if (accept(other, p.quality.min_inliers)) {
-      best = std::move(other);
-    } else {
-      // The record holds the numbers of the attempt judged last: so does the reason.
-      lose(other.failure);
-      return;
-    }
+bool Tracker::trackFrom(const Prediction& prediction, const std::vector<AlignmentPatch>& patches, Attempt& best) {
+  const int required = parameters_.quality.min_inliers;
+  if (!prediction.wide) {
+    best = alignAndAttempt(patches, prediction.T_cur_prev, prediction.from);
+    return accept(best, required);
+  }
+  // Twice the capture range, then once more at the level of the features: the first finds the pose.
+  const SE3 T_cur_prev = registeredRotation(*last_.pyramid, *frame_.pyramid, map_.camera);
+  best = alignAndAttempt(patches, T_cur_prev, prediction.from, 1);
+  if (best.pose.ok && best.pose.inliers >= required / 2) best = attempt(best.T_cam_world, prediction.from);
+  return accept(best, required);
+}
+
+void Tracker::trackFrame() {
+  Stopwatch watch;
+  const auto patches = alignmentPatches();
+  const auto list = predictions(patches);
+  stageMs(record_, Stage::sparse_align) += watch.ms();
+  Attempt best;
+  const bool tracked = std::any_of(list.begin(), list.end(),
+                                   [&](const Prediction& p) { return trackFrom(p, patches, best); });
+  if (!tracked) {
+    // The record holds the numbers of the attempt judged last: so does the reason.
+    lose(best.failure);
+    return;
   }
   frame_.T_cam_world = best.T_cam_world;
   T_velocity_ = frame_.T_cam_world * last_.T_cam_world.inverse();
@@ -145,22 +163,25 @@ void Tracker::trackFrame() {
   stageMs(record_, Stage::keyframe) = watch.lapMs();
 }
 
-Tracker::Attempt Tracker::alignAndAttempt(const SE3& T_cur_prev, const char* from) {
+Tracker::Attempt Tracker::alignAndAttempt(const std::vector<AlignmentPatch>& patches, const SE3& T_cur_prev,
+                                          const char* from, int coarser) {
   Stopwatch watch;
-  const SparseAlignmentResult aligned = alignSparse(*last_.pyramid, *frame_.pyramid, map_.camera, alignmentPatches(),
+  const SparseAlignmentResult aligned = alignSparse(*last_.pyramid, *frame_.pyramid, map_.camera, patches,
                                                     T_cur_prev, parameters_.alignment);
   stageMs(record_, Stage::sparse_align) += watch.ms();
-  Attempt a = attempt((aligned.ok ? aligned.T_cur_ref : T_cur_prev) * last_.T_cam_world, from);
+  Attempt a = attempt((aligned.ok ? aligned.T_cur_ref : T_cur_prev) * last_.T_cam_world, from, coarser);
   a.aligned = aligned;
   return a;
 }
 
-Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from) {
+Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from, int coarser) {
   Attempt a;
   a.from = from;
   Stopwatch watch;
   frame_.T_cam_world = T_cam_world;
-  a.reprojected = reprojectMap(map_, frame_, parameters_.reproject, parameters_.mapping);
+  ReprojectorParameters reproject = parameters_.reproject;
+  reproject.coarser = coarser;
+  a.reprojected = reprojectMap(map_, frame_, reproject, parameters_.mapping);
   stageMs(record_, Stage::reproject) += watch.lapMs();
   const auto observations = observationsOf(a.reprojected.features);
   a.pose = refinePose(map_.camera, observations, T_cam_world, parameters_.pose);

@@ -78,12 +78,21 @@ class Tracker {
 
  private:
   struct Attempt;  ///< one try to register the frame from a predicted pose (tracker_attempt.h)
+  /// Where the frame may be, relative to the last one.
+  struct Prediction {
+    SE3 T_cur_prev;
+    const char* from = "";
+    bool wide = false;  ///< by image registration, with a wider search
+  };
 
   void initialize();
   void trackFrame();
   void relocalize();
-  Attempt attempt(const SE3& T_cam_world, const char* from);
-  Attempt alignAndAttempt(const SE3& T_cur_prev, const char* from);
+  std::vector<Prediction> predictions(const std::vector<AlignmentPatch>& patches);
+  bool trackFrom(const Prediction& prediction, const std::vector<AlignmentPatch>& patches, Attempt& best);
+  Attempt attempt(const SE3& T_cam_world, const char* from, int coarser = 0);
+  Attempt alignAndAttempt(const std::vector<AlignmentPatch>& patches, const SE3& T_cur_prev, const char* from,
+                          int coarser = 0);
   bool accept(Attempt& a, int required);
   void countTries();
   void lose(const std::string& reason);
