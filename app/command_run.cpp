@@ -112,6 +112,7 @@ int runRun(const Arguments& arguments) {
   RunnerOptions options;
   options.threaded = !arguments.sync;
   options.publish_snapshots = arguments.record;  // else nobody looks at them
+  options.place_seeds = false;
   options.history_budget = 64u << 20;            // the recorder has its own queue
   const Result<Parameters> parameters = arguments.run.parameters();
   if (!parameters.ok()) return reportError(parameters.error());

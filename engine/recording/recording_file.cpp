@@ -167,8 +167,8 @@ bool RecordingFile::prepare() {
     return query.valid();
   };
   return complete.valid() && !complete.failed() &&
-         make(select_features_, select(featureColumns(), "", "features WHERE frame = ? ORDER BY n")) &&
-         make(select_updates_, select(seedUpdateColumns(), "", "seed_updates WHERE frame = ? ORDER BY n")) &&
+         make(select_features_, select(featureColumns(), "", "features WHERE row >= ? AND row < ? ORDER BY row")) &&
+         make(select_updates_, select(seedUpdateColumns(), "", "seed_updates WHERE row >= ? AND row < ? ORDER BY row")) &&
          make(select_states_, "SELECT frame, data FROM seed_states WHERE frame > ? AND frame <= ? ORDER BY frame") &&
          make(select_image_, "SELECT jpeg FROM images WHERE frame = ?");
 }

@@ -57,7 +57,7 @@ Result<std::shared_ptr<Snapshot>> RecordingFile::values(std::size_t row) {
 }
 
 bool RecordingFile::readFeatures(Snapshot& s) {
-  select_features_.put(s.record.index);
+  select_features_.put(rowKey(s.record.index, 0)).put(rowKey(s.record.index + 1, 0));
   while (select_features_.next()) {
     s.features.emplace_back();
     GetColumns get(select_features_);
@@ -68,7 +68,7 @@ bool RecordingFile::readFeatures(Snapshot& s) {
 
 bool RecordingFile::readUpdates(Snapshot& s) {
   auto updates = std::make_shared<std::vector<SeedUpdateView>>();
-  select_updates_.put(s.record.index);
+  select_updates_.put(rowKey(s.record.index, 0)).put(rowKey(s.record.index + 1, 0));
   while (select_updates_.next()) {
     updates->emplace_back();
     GetColumns get(select_updates_);
@@ -110,7 +110,7 @@ bool RecordingFile::readSeeds(Snapshot& s) {
 }
 
 void RecordingFile::place(std::vector<SeedView>& seeds, const Snapshot& s, double sigmas) const {
-  SeedPlacement placement{SE3(), s.record.T_world_cam.inverse(), run_.info.camera, sigmas};
+  SeedPlacement placement{SE3(), s.record.T_world_cam.inverse(), run_.info.camera, sigmas, true};
   int keyframe = -1;
   for (SeedView& seed : seeds) {
     if (seed.keyframe_id != keyframe || keyframe < 0) {

@@ -105,8 +105,8 @@ bool RecordingWriter::prepare() {
     return query.valid();
   };
   return make(insert_frame_, insert("frames", recordColumns(), {"snapshot", "readable"})) &&
-         make(insert_feature_, insert("features", featureColumns(), {"frame", "n"})) &&
-         make(insert_update_, insert("seed_updates", seedUpdateColumns(), {"frame", "n"})) &&
+         make(insert_feature_, insert("features", featureColumns(), {"row", "frame"})) &&
+         make(insert_update_, insert("seed_updates", seedUpdateColumns(), {"row", "frame"})) &&
          make(insert_pose_, insert("keyframe_poses", keyframeColumns(), {"frame", "gone"})) &&
          make(insert_point_, insert("map_points", pointColumns(), {"frame", "gone"})) &&
          make(insert_event_, insert("events", eventColumns(), {"n", "shown_in"})) &&
@@ -175,14 +175,14 @@ bool RecordingWriter::writeLists(const Snapshot& s) {
   for (const FeatureView& feature : s.features) {
     PutColumns put(insert_feature_);
     visitFeature(feature, put);
-    if (!insert_feature_.put(s.record.index).put(n++).run()) return false;
+    if (!insert_feature_.put(rowKey(s.record.index, n++)).put(s.record.index).run()) return false;
   }
   if (!s.seed_updates) return true;
   n = 0;
   for (const SeedUpdateView& update : *s.seed_updates) {
     PutColumns put(insert_update_);
     visitSeedUpdate(update, put);
-    if (!insert_update_.put(s.record.index).put(n++).run()) return false;
+    if (!insert_update_.put(rowKey(s.record.index, n++)).put(s.record.index).run()) return false;
   }
   return true;
 }

@@ -17,7 +17,7 @@ namespace svoscope {
 
 struct RecordingOptions {
   std::string version;    ///< of the program, for the file
-  int jpeg_quality = 92;  ///< 1 .. 100
+  int jpeg_quality = 95;  ///< 1 .. 100
 };
 
 class RecordingWriter {

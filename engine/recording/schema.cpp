@@ -68,7 +68,7 @@ const ColumnList& runColumns() {
 
 std::string schemaSql() {
   const std::string pose = "tx REAL, ty REAL, tz REAL, qx REAL, qy REAL, qz REAL, qw REAL";
-  // Rows come frame by frame: tables clustered by frame only grow at their end.
+  // Rows come frame by frame: tables in the order of frames only grow at their end.
   std::string sql =
       "CREATE TABLE run (" + runColumns().declarations + ");\n"
       "CREATE TABLE parameters (from_frame INTEGER, n INTEGER, " + parameterColumns().declarations +
@@ -76,10 +76,8 @@ std::string schemaSql() {
       "CREATE TABLE ground_truth (n INTEGER PRIMARY KEY, timestamp REAL, " + pose + ");\n"
       "CREATE TABLE frames (" + recordColumns().declarations +
       ", snapshot INTEGER, readable INTEGER, PRIMARY KEY (frame)) WITHOUT ROWID;\n"
-      "CREATE TABLE features (frame INTEGER, n INTEGER, " + featureColumns().declarations +
-      ", PRIMARY KEY (frame, n)) WITHOUT ROWID;\n"
-      "CREATE TABLE seed_updates (frame INTEGER, n INTEGER, " + seedUpdateColumns().declarations +
-      ", PRIMARY KEY (frame, n)) WITHOUT ROWID;\n"
+      "CREATE TABLE features (row INTEGER PRIMARY KEY, frame INTEGER, " + featureColumns().declarations + ");\n"
+      "CREATE TABLE seed_updates (row INTEGER PRIMARY KEY, frame INTEGER, " + seedUpdateColumns().declarations + ");\n"
       "CREATE TABLE seeds (seed_id INTEGER PRIMARY KEY, first_frame INTEGER, keyframe_id INTEGER, type TEXT,"
       " level INTEGER, px_ref_x REAL, px_ref_y REAL, px_ref_end_x REAL, px_ref_end_y REAL, direction REAL,"
       " range REAL, true_inv_distance REAL, ended_frame INTEGER, ending TEXT, updates INTEGER,"

@@ -13,6 +13,10 @@ constexpr std::int64_t kRecordingId = 0x53564f53;  ///< PRAGMA application_id: "
 constexpr std::int64_t kSchemaVersion = 1;         ///< PRAGMA user_version; grows when the tables change
 constexpr int kSeedKeyInterval = 32;               ///< frames from one complete seed blob to the next
 
+/// Key of the n-th feature or seed update of a frame: those of a frame lie side by side, without an index.
+constexpr std::int64_t kRowsPerFrame = 1 << 16;
+constexpr std::int64_t rowKey(int frame, int n) { return frame * kRowsPerFrame + n; }
+
 /// Columns of a kind of rows; `visit` is one of the lists of columns.h.
 template <typename Row, typename Visit>
 ColumnList columnsOf(const Visit& visit) {

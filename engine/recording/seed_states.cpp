@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/recording/seed_states.h"
 
+#include <algorithm>
+
 #include "engine/recording/columns.h"
 
 namespace svoscope {
@@ -47,15 +49,27 @@ void visitPairs(A& a, const SeedView& b, F&& f) {
 
 void SeedIndex::set(List seeds) {
   seeds_ = std::move(seeds);
+  next_ = 0;
   at_.clear();
-  if (!seeds_) return;
-  at_.reserve(seeds_->size());
-  for (std::size_t i = 0; i < seeds_->size(); ++i) at_.emplace((*seeds_)[i].id, i);
 }
 
 const SeedView* SeedIndex::find(std::int64_t id) const {
+  constexpr std::size_t kLook = 32;
+  if (!seeds_ || seeds_->empty()) return nullptr;
+  const auto& seeds = *seeds_;
+  for (std::size_t i = next_; i < std::min(next_ + kLook, seeds.size()); ++i) {
+    if (seeds[i].id != id) continue;
+    next_ = i + 1;
+    return &seeds[i];
+  }
+  if (at_.empty()) {
+    at_.reserve(seeds.size());
+    for (std::size_t i = 0; i < seeds.size(); ++i) at_.emplace(seeds[i].id, i);
+  }
   const auto it = at_.find(id);
-  return it == at_.end() ? nullptr : &(*seeds_)[it->second];
+  if (it == at_.end()) return nullptr;
+  next_ = it->second + 1;
+  return &seeds[it->second];
 }
 
 void encodeSeeds(const std::vector<SeedView>& seeds, const SeedIndex& before, ByteWriter& out) {

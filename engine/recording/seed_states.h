@@ -18,12 +18,14 @@ class SeedIndex {
   using List = std::shared_ptr<const std::vector<SeedView>>;
 
   void set(List seeds);
+  /// Null if it is not there. Cheap if asked for in about the order of the list.
   const SeedView* find(std::int64_t id) const;
   const List& list() const { return seeds_; }
 
  private:
   List seeds_;
-  std::unordered_map<std::int64_t, std::size_t> at_;
+  mutable std::size_t next_ = 0;  ///< where the next one is expected
+  mutable std::unordered_map<std::int64_t, std::size_t> at_;  ///< made when first needed
 };
 
 /// Appends the seeds in their order.

@@ -20,6 +20,9 @@ struct RunnerOptions {
   /// Off: rows and events only, and a snapshot whenever the run pauses or ends; for runs without
   /// a viewer.
   bool publish_snapshots = true;
+  /// Off: seeds of snapshots lack what follows from belief and poses (snapshot/seed_placement.h); enough
+  /// for a recorder.
+  bool place_seeds = true;
   std::shared_ptr<RunObserver> observer;  ///< sees every frame; wants publish_snapshots. May be null
 };
 

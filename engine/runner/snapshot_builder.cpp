@@ -115,10 +115,13 @@ const cv::Mat& SnapshotBuilder::depthOf(const Keyframe& keyframe) {
 std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tracker& tracker) {
   auto views = std::make_shared<std::vector<SeedView>>();
   const auto& keyframes = tracker.map().keyframes;
+  std::size_t count = tracker.map().orphans.size();
+  for (const auto& [id, keyframe] : keyframes) count += keyframe.seeds.size() + keyframe.segment_seeds.size();
+  views->reserve(count);
   const SE3 T_cam_world = tracker.record().T_world_cam.inverse();
   const double sigmas = tracker.parameters().mapping.search.search_sigmas;
   const auto placed = [&](const SE3& T_world_kf) {
-    return SeedPlacement{T_world_kf, T_cam_world, tracker.map().camera, sigmas};
+    return SeedPlacement{T_world_kf, T_cam_world, tracker.map().camera, sigmas, placed_};
   };
   for (auto it = depths_.begin(); it != depths_.end();)
     it = keyframes.count(it->first) ? std::next(it) : depths_.erase(it);

@@ -16,6 +16,7 @@ SyncRunner::SyncRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& 
       log_(o.history_budget, o.observer),
       publish_(o.publish_snapshots) {
   engine_.setInspected(publish_);
+  engine_.setPlaced(o.place_seeds);
   log_.begin(engine_.info());
   log_.parameters(listParameters(engine_.parameters()), engine_.nextFrame());
 }

@@ -22,6 +22,7 @@ ThreadedRunner::ThreadedRunner(std::unique_ptr<Sequence> sequence, const RunnerO
       publish_(o.publish_snapshots) {
   engine_.setTimed(true);
   engine_.setInspected(publish_);
+  engine_.setPlaced(o.place_seeds);
   parameter_views_ = listParameters(engine_.parameters());
   log_.begin(engine_.info());
   log_.parameters(parameter_views_, engine_.nextFrame());

@@ -6,6 +6,7 @@
 namespace svoscope {
 
 void placeSeed(SeedView& v, const SeedPlacement& p) {
+  if (!p.wanted) return;
   constexpr double kFarthest = 1e-6, kNearest = 1e-3;  // inverse distance; z before the camera
   const double mu = v.mu, sigma = v.sigma, n = p.search_sigmas;
   const double z[3] = {mu, mu + n * sigma, std::max(mu - n * sigma, 0.05 * mu)};

@@ -12,6 +12,7 @@ struct SeedPlacement {
   SE3 T_cam_world;           ///< of the frame
   const Pinhole& camera;
   double search_sigmas = 3;  ///< half width of the span, standard deviations
+  bool wanted = true;        ///< off: the seed is left as it is
 };
 
 /// Fills visible, px, px_near, px_far, position, position_near, position_far and, for segments,

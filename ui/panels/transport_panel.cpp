@@ -111,7 +111,8 @@ void position(PanelContext& c) {
   }
   const std::string text =
       format("Viewing frame %d, %s at %d", c.viewedFrame(), c.status.recorded ? "played" : "engine", c.engineFrame());
-  const float width = ImGui::CalcTextSize(text.c_str()).x + grid(6) + buttonWidth("Back to live");
+  const char* back = c.status.recorded ? "Back to the end" : "Back to live";
+  const float width = ImGui::CalcTextSize(text.c_str()).x + grid(6) + buttonWidth(back);
   sameLineIfFits(width);
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -124,7 +125,7 @@ void position(PanelContext& c) {
   ImGui::PopStyleColor();
   Probe::record("viewing older frame", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   ImGui::SameLine(0, grid(2));
-  if (button("Back to live", {"Show the newest frame again (End)"}, true)) c.view(-1);
+  if (button(back, {"Show the newest frame again (End)"}, true)) c.view(-1);
 }
 
 }  // namespace
