@@ -53,6 +53,11 @@ Error RecordingFile::damaged(const std::string& what) const {
 }
 
 Status RecordingFile::identify() {
+  std::error_code ec;
+  const auto size = static_cast<std::int64_t>(fs::file_size(file_, ec));
+  const bool has_log = fs::exists(file_.string() + "-wal", ec);  // may hold what the file lacks
+  if (const std::int64_t wanted = sizeByHeader(file_); !has_log && size < wanted)
+    return damaged(fmt::format("it ends after {} of {} bytes", size, wanted));
   const std::int64_t id = database_->integer("PRAGMA application_id"), version = database_->integer("PRAGMA user_version");
   if (id < 0 && database_->damaged()) return damaged(database_->problem());
   if (id < 0) {
@@ -64,11 +69,6 @@ Status RecordingFile::identify() {
     return inputError(fmt::format("written by a newer svoscope (format {}, this one reads up to {})", version, kSchemaVersion),
                       file_.string(), "update svoscope");
   }
-  std::error_code ec;
-  const auto size = static_cast<std::int64_t>(fs::file_size(file_, ec));
-  const std::int64_t wanted = database_->integer("PRAGMA page_count") * database_->integer("PRAGMA page_size");
-  const bool has_log = fs::exists(file_.string() + "-wal", ec) && fs::file_size(file_.string() + "-wal", ec) > 0;
-  if (!has_log && size < wanted) return damaged(fmt::format("it ends after {} of {} bytes", size, wanted));
   // Larger than any recording's index, small against its images: pages are read in place.
   (void)database_->run("PRAGMA mmap_size = 1073741824");
   return Done{};

@@ -88,7 +88,7 @@ bool RecordingRunner::pump() {
   if (playback_.speed() > 0) {
     if (now < next_time_) return false;
     const auto interval = std::chrono::microseconds(static_cast<std::int64_t>(1e6 / playback_.speed()));
-    next_time_ = std::max(next_time_, now - interval) + interval;
+    next_time_ = (now - next_time_ > interval ? now : next_time_) + interval;  // no catching up after a pause
   }
   if (row_ < lastRow()) goTo(row_ + 1);
   if (row_ >= lastRow()) playback_.finish();

@@ -18,6 +18,20 @@ bool isSqliteFile(const std::filesystem::path& file) {
   return in && std::equal(head, head + sizeof(head), kMagic);
 }
 
+std::int64_t sizeByHeader(const std::filesystem::path& file) {
+  unsigned char head[100] = {};  // SQLite database file format, section 1.3
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(head), sizeof(head));
+  if (!in) return sizeof(head);
+  const auto number = [&](int at, int bytes) {
+    std::int64_t value = 0;
+    for (int i = 0; i < bytes; ++i) value = value << 8 | head[at + i];
+    return value;
+  };
+  const std::int64_t page = number(16, 2) == 1 ? 65536 : number(16, 2);
+  return number(24, 4) == number(92, 4) ? page * number(28, 4) : 0;
+}
+
 std::unique_ptr<Database> Database::open(const std::filesystem::path& file, Mode mode, std::string& problem) {
   const int flags = (mode == Mode::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) |
                     SQLITE_OPEN_NOMUTEX;  // one connection is used by one thread at a time

@@ -15,6 +15,8 @@ namespace svoscope {
 
 /// The file begins as every SQLite file does.
 bool isSqliteFile(const std::filesystem::path& file);
+/// Bytes that the file should have by its header; 0 if that cannot be told.
+std::int64_t sizeByHeader(const std::filesystem::path& file);
 
 class Database {
  public:
