@@ -98,7 +98,7 @@ class Tracker {
   void requestSeeds(const Keyframe& keyframe);
   void requestMeasurements();
   void limitKeyframes();
-  void applyAdjustment(const AdjustmentResult& adjustment);
+  void applyAdjustment(const AdjustmentResult& adjustment);  ///< tracker_adjustment.cpp
   void dropEndedSeeds();
   bool measureSeed(Seed& seed, const SeedMeasurement& m);
   Seed* findSeed(int keyframe_id, std::int64_t id);
@@ -113,7 +113,7 @@ class Tracker {
   void applySegmentMapping(const MappingResult& result);
   void dropEndedSegmentSeeds();
   void disownSegments(int keyframe_id);
-  void moveSegments(const std::map<int, SE3>& moved);
+  void followSegments();
   SegmentSeed* findSegmentSeed(int keyframe_id, std::int64_t id);
 
   void event(EventKind kind, std::string text);
