@@ -68,7 +68,8 @@ class RecordingPanels : public testing::Test {
   void clickTimeline(int frame) {
     const auto rect = Probe::find("Timeline");
     ASSERT_TRUE(rect);
-    const float x = rect->min.x + (rect->max.x - rect->min.x) * (static_cast<float>(frame) + 0.5f) / kFrames;
+    const float x =
+        rect->min.x + (rect->max.x - rect->min.x) * (static_cast<float>(frame) + 0.5f) / kFrames;
     clickAt({x, (rect->min.y + rect->max.y) / 2});
   }
   void show(const std::string& panel) {
@@ -78,7 +79,8 @@ class RecordingPanels : public testing::Test {
     frames(3);
   }
   int viewed() const {
-    return inspector_->state().viewed_frame >= 0 ? inspector_->state().viewed_frame : runner_->latest()->record.index;
+    return inspector_->state().viewed_frame >= 0 ? inspector_->state().viewed_frame
+                                                 : runner_->latest()->record.index;
   }
   UiState& state() { return inspector_->state(); }
 
@@ -134,7 +136,8 @@ TEST_F(RecordingPanels, TheEpipolarSearchIsExplained) {
     const SnapshotPtr s = runner_->at(frame);
     for (std::size_t i = 0; i < s->seed_updates->size() && i < 10; ++i) {
       const SeedUpdateView& update = (*s->seed_updates)[i];
-      const auto seed = std::find_if(s->seeds->begin(), s->seeds->end(), [&](const SeedView& v) { return v.id == update.seed_id; });
+      const auto seed = std::find_if(s->seeds->begin(), s->seeds->end(),
+                                     [&](const SeedView& v) { return v.id == update.seed_id; });
       if (seed == s->seeds->end() || seed->type == FeatureType::segment) continue;
       ++asked;
       const SearchDetail* detail = cache.find(*runner_, *seed, update, static_cast<int>(i), frame);
@@ -164,6 +167,12 @@ TEST_F(RecordingPanels, TheTimelineReachesAllThatWasPlayed) {
   clickTimeline(33);
   EXPECT_EQ(viewed(), 33);
   EXPECT_EQ(runner_->records(0).size(), static_cast<std::size_t>(kFrames));
+  // At the end it plays from the beginning.
+  clickTimeline(kFrames - 1);
+  EXPECT_EQ(viewed(), kFrames - 1);
+  press(Key::space);
+  EXPECT_LE(viewed(), 2);
+  EXPECT_TRUE(runner_->status().playing);
 }
 
 TEST_F(RecordingPanels, RunsToTheNextKeyframeFromTheFrameInView) {
@@ -185,7 +194,8 @@ TEST_F(RecordingPanels, ParametersAreReadOnlyAndSaySo) {
   const auto rect = Probe::find("local_ba");
   const auto before = runner_->parameters();
   if (rect) clickAt(rect->center());
-  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(runner_->parameters()[i].value, before[i].value);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_EQ(runner_->parameters()[i].value, before[i].value);
 }
 
 }  // namespace
