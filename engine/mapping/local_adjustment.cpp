@@ -62,17 +62,18 @@ struct DirectedError {
   }
 };
 
-/// Error of the inverse distance along a bearing, in sigmas.
+/// Error of the inverse distance along a bearing, in sigmas. `scale` is common to all of them: what they
+/// say of the scale of the map is no news, as they were measured in it, and it has their errors.
 struct InverseDistanceError {
   Vec3 f;
   double inv_distance, sigma;
   template <typename T>
-  bool operator()(const T* pose, const T* point, T* e) const {
+  bool operator()(const T* pose, const T* point, const T* scale, T* e) const {
     T p[3];
     ceres::AngleAxisRotatePoint(pose, point, p);
     const T distance = T(f.x()) * (p[0] + pose[3]) + T(f.y()) * (p[1] + pose[4]) + T(f.z()) * (p[2] + pose[5]);
     if (distance < T(1e-4)) return false;
-    e[0] = (T(1) / distance - T(inv_distance)) / T(sigma);
+    e[0] = (scale[0] / distance - T(inv_distance)) / T(sigma);
     return true;
   }
 };
@@ -114,6 +115,7 @@ class Adjustment {
     for (PoseBlock& x : poses_) {
       if (ceres_problem.HasParameterBlock(x.data())) options.linear_solver_ordering->AddElementToGroup(x.data(), 1);
     }
+    if (!problem_.depths.empty()) options.linear_solver_ordering->AddElementToGroup(&depth_scale_, 1);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &ceres_problem, &summary);
     result.ok = summary.IsSolutionUsable();
@@ -151,9 +153,9 @@ class Adjustment {
       ceres_problem.AddResidualBlock(cost, v.along ? nullptr : &robust_, pose(v.keyframe), end(v.end));
     }
     for (const AdjustmentDepth& d : problem_.depths) {
-      auto* cost = new ceres::AutoDiffCostFunction<InverseDistanceError, 1, 6, 3>(
+      auto* cost = new ceres::AutoDiffCostFunction<InverseDistanceError, 1, 6, 3, 1>(
           new InverseDistanceError{d.f, d.inv_distance, d.sigma});
-      ceres_problem.AddResidualBlock(cost, &robust_, pose(d.keyframe), end(d.end));
+      ceres_problem.AddResidualBlock(cost, &robust_, pose(d.keyframe), end(d.end), &depth_scale_);
     }
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       if (problem_.keyframes[i].fixed && ceres_problem.HasParameterBlock(poses_[i].data()))
@@ -206,6 +208,7 @@ class Adjustment {
   std::vector<PoseBlock> poses_;
   /// Landmarks, then end points: in one piece, as Ceres orders blocks by their address.
   std::vector<PointBlock> points_;
+  double depth_scale_ = 1;
 };
 
 }  // namespace

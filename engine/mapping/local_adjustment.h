@@ -17,6 +17,10 @@ struct LocalAdjustmentParameters {
   double robust_px = 0.7;       ///< scale of the Huber loss, px, times 2^level
   double edgelet_sigma = 2;     ///< noise of an edgelet relative to a corner
   double outlier_px = 3;        ///< observations above are removed, px, times 2^level
+  int segment_views = 3;        ///< of a segment in the window: two views of a line cannot contradict
+  /// Least sigma of a segment seed's depth over the depth. The seed's measurements share the errors of
+  /// the poses they were made with; believed as they stand, they hold the map to a wrong scale.
+  double depth_floor = 0.1;
   double max_time_ms = 80;      ///< time box; not in synchronous runs, which must repeat
 };
 

@@ -88,8 +88,8 @@ void addPoints(const Map& map, const Window& window, const Slots& slot, Adjustme
 }
 
 /// The views of one end point as errors across their lines, and one along the first of them.
-void addLineViews(const Map& map, const SegmentLandmark& segment, int end, const Slots& slot, const SegmentParameters& p,
-                  AdjustmentProblem& problem) {
+void addLineViews(const Map& map, const SegmentLandmark& segment, int end, const Slots& slot,
+                  const LocalAdjustmentParameters& adjust, const SegmentParameters& p, AdjustmentProblem& problem) {
   const int index = static_cast<int>(problem.ends.size());
   bool held = false;
   for (const SegmentView& view : segment.views) {
@@ -109,12 +109,13 @@ void addLineViews(const Map& map, const SegmentLandmark& segment, int end, const
   const SegmentView& first = segment.views.front();
   const auto s = slot.find(first.keyframe_id);
   if (s != slot.end() && segment.prior_sigma[end] > 0)
-    problem.depths.push_back({s->second, index, first.anchor.f[end], segment.prior[end], segment.prior_sigma[end]});
+    problem.depths.push_back({s->second, index, first.anchor.f[end], segment.prior[end],
+                              std::hypot(segment.prior_sigma[end], adjust.depth_floor * segment.prior[end])});
   problem.ends.push_back({segment.id, end, segment.p_world[end]});
 }
 
-void addSegments(const Map& map, const Window& window, const Slots& slot, const SegmentParameters& p,
-                 AdjustmentProblem& problem) {
+void addSegments(const Map& map, const Window& window, const Slots& slot, const LocalAdjustmentParameters& adjust,
+                 const SegmentParameters& p, AdjustmentProblem& problem) {
   std::set<std::int64_t> ids;
   for (const int id : window.free) {
     const auto& seen = map.keyframes.at(id).segments;
@@ -125,8 +126,8 @@ void addSegments(const Map& map, const Window& window, const Slots& slot, const 
     if (it == map.segments.end()) continue;
     const auto& views = it->second.views;
     const auto known = [&](const SegmentView& v) { return slot.count(v.keyframe_id) > 0; };
-    if (std::count_if(views.begin(), views.end(), known) < 2) continue;
-    for (int end = 0; end < 2; ++end) addLineViews(map, it->second, end, slot, p, problem);
+    if (std::count_if(views.begin(), views.end(), known) < adjust.segment_views) continue;
+    for (int end = 0; end < 2; ++end) addLineViews(map, it->second, end, slot, adjust, p, problem);
   }
 }
 
@@ -148,7 +149,7 @@ AdjustmentProblem localProblem(const Map& map, int newest, const LocalAdjustment
     problem.keyframes.push_back({id, keyframe.T_cam_world, fixed});
   }
   addPoints(map, window, slot, problem);
-  if (segments.enabled) addSegments(map, window, slot, segments, problem);
+  if (segments.enabled) addSegments(map, window, slot, p, segments, problem);
   return problem;
 }
 

@@ -85,6 +85,7 @@ class Tracker {
   Attempt attempt(const SE3& T_cam_world, const char* from);
   Attempt alignAndAttempt(const SE3& T_cur_prev, const char* from);
   bool accept(Attempt& a, int required);
+  void countTries();
   void lose(const std::string& reason);
   void finishRecord();
 

@@ -96,10 +96,16 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
                                    parameters_.mapping.search.pixel_noise, map_.camera.focal());
       if (feature->status != FeatureStatus::inlier || !(m.x > 0)) m.outcome = SearchOutcome::no_match;
     }
+    const double fused = fusedInverseDistance(seed->belief, m.x, m.tau);
     record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::tracked;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
-    if (feature) feature->p_world = seedPoint(*seed, *map_.findKeyframe(match.keyframe_id));
+    if (feature) {
+      const Keyframe& keyframe = *map_.findKeyframe(match.keyframe_id);
+      const bool doubtful = seed->status == SeedStatus::active && m.outcome == SearchOutcome::tracked && fused > 0;
+      // The pose confirmed the match: until the filter has made up its mind, the match counts.
+      feature->p_world = doubtful ? Vec3(keyframe.T_cam_world.inverse() * (seed->anchor.f / fused)) : seedPoint(*seed, keyframe);
+    }
     if (feature && seed->status == SeedStatus::rejected) feature->status = FeatureStatus::outlier;
   }
   std::sort(measured_seeds_.begin(), measured_seeds_.end());

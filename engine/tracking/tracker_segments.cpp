@@ -58,7 +58,6 @@ void Tracker::acceptSegments(Attempt& a) {
     s.status = a.pose.segment_inlier[i] ? FeatureStatus::inlier : FeatureStatus::outlier;
   }
   frame_.segments = a.segments.segments;
-  for (const std::int64_t id : a.segments.failed_landmarks) map_.removeSegment(id);
 }
 
 /// The measured lines enter the filter with the final pose.
