@@ -5,22 +5,25 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/recording/open_run.h"
+
 namespace svoscope {
 
-void RunSettings::addTo(CLI::App& command, bool required) {
-  command.add_option("SEQUENCE", sequence, "Sequence: folder, video or synthetic:PRESET")->required(required);
-  command.add_option("--method", method, "Odometry method")
+void RunSettings::addTo(CLI::App& command, bool required, const char* what) {
+  command.add_option("SEQUENCE", sequence, what)->required(required);
+  CLI::Option* chosen_method = command.add_option("--method", method, "Odometry method")
       ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
       ->capture_default_str();
-  command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
-  command.add_option("--set", assignments, "One parameter as key=value; repeatable")
+  CLI::Option* chosen_config = command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
+  CLI::Option* chosen_set = command.add_option("--set", assignments, "One parameter as key=value; repeatable")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
-  command.add_option("--start", start, "First frame, from 0")
+  CLI::Option* chosen_start = command.add_option("--start", start, "First frame, from 0")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
-  command.add_option("--max-frames", max_frames, "Stop after so many frames")
+  CLI::Option* chosen_end = command.add_option("--max-frames", max_frames, "Stop after so many frames")
       ->check(CLI::Range(1, 1000000000));
+  of_engine_ = {chosen_method, chosen_config, chosen_set, chosen_start, chosen_end};
 }
 
 Result<Parameters> RunSettings::parameters() const {
@@ -46,9 +49,13 @@ Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
   options.method = method;
   options.start = start;
   options.max_frames = max_frames;
-  auto opened = openSequence(sequence);
-  if (!opened.ok()) return opened.error();
-  return makeRunner(std::move(opened).value(), options);
+  if (looksLikeRecording(sequence)) {
+    for (const CLI::Option* option : of_engine_) {
+      if (option->count() > 0)
+        return usageError("a recording brings its own method and parameters", option->get_name(), "leave the option out");
+    }
+  }
+  return openRun(sequence, options);
 }
 
 }  // namespace svoscope

@@ -23,6 +23,9 @@ class SnapshotBuilder {
   /// Takes the seed updates kept by the tracker.
   std::shared_ptr<Snapshot> build(Tracker& tracker);
   void reset();
+  void setPlaced(bool on) { placed_ = on; }
+  /// The next snapshot shows keyframes and points as they are then, whether the map changed or not.
+  void showMapAnew() { keyframes_.reset(); }
   /// The next snapshot gets a new copy of the parameters.
   void parametersChanged() { mapping_.reset(); }
 
@@ -34,6 +37,7 @@ class SnapshotBuilder {
   const cv::Mat& depthOf(const Keyframe& keyframe);
 
   DepthReader read_depth_;
+  bool placed_ = true;
   std::uint64_t sequence_number_ = 0;
   std::map<int, cv::Mat> depths_;  ///< by keyframe id
   std::shared_ptr<const std::vector<KeyframeView>> keyframes_;

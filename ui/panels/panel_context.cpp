@@ -3,10 +3,24 @@
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
+
+void moveOn(Runner& runner, UiState& state, const Command& command) {
+  int from = std::exchange(state.viewed_frame, -1);  // whoever moves the engine wants to see it
+  const RunnerStatus status = runner.status();
+  if (status.finished && from < 0 && command.kind == Command::Kind::play) from = status.history_first;
+  if (status.recorded && from >= 0 && command.kind != Command::Kind::reset) {
+    Command jump;
+    jump.kind = Command::Kind::run_to_frame;
+    jump.frame = from;
+    runner.send(jump);
+  }
+  runner.send(command);
+}
 
 bool saysWhyEmpty(const PanelContext& context) {
   if (context.snapshot) return false;

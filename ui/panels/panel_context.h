@@ -36,6 +36,10 @@ struct PanelCaches {
   SeparationCurves separation;
 };
 
+/// Sends a command that moves the run, and follows it. A recording goes on from the frame in view, and
+/// plays from its first frame if that is the last.
+void moveOn(Runner& runner, UiState& state, const Command& command);
+
 struct PanelContext {
   Runner& runner;
   Graphics& graphics;
@@ -48,19 +52,34 @@ struct PanelContext {
   const FrameRecord* record = nullptr;  ///< of the viewed frame; null before the first
   std::string size_text;                ///< for the status bar: what renders
 
+  /// Last frame that can be viewed: of a recording also what was played before and gone back from.
+  int lastFrame() const {
+    const auto& records = caches.run.records();
+    return status.recorded && !records.empty() ? records.back().index : engineFrame();
+  }
+
   bool live() const { return state.viewed_frame < 0; }
   int engineFrame() const { return latest ? latest->record.index : -1; }
   int viewedFrame() const { return live() ? engineFrame() : state.viewed_frame; }
   /// Shows a frame; the newest one means live.
   void view(int frame) const {
+    if (status.recorded && frame > engineFrame()) return jump(frame);
     state.viewed_frame = frame < 0 || frame >= engineFrame() ? -1 : frame;
   }
   void send(Command::Kind kind, int frame = -1) const {
     Command command;
     command.kind = kind;
     command.frame = frame;
-    state.viewed_frame = -1;  // whoever moves the engine wants to see it
+    moveOn(runner, state, command);
+  }
+
+ private:
+  void jump(int frame) const {
+    Command command;
+    command.kind = Command::Kind::run_to_frame;
+    command.frame = frame;
     runner.send(command);
+    state.viewed_frame = -1;
   }
 };
 
