@@ -46,6 +46,18 @@ TEST_F(RunTest, SynchronousRunsGiveTheSameBytes) {
   }
 }
 
+TEST_F(RunTest, WhereTheHeapPutsThingsDoesNotMatter) {
+  // Longer paths shift every later allocation. Sums that begin at the first aligned address would
+  // then end in other digits.
+  const std::string common = "--sync --method it-svo --max-frames 40";
+  ASSERT_EQ(run("a", common).exit_code, 0);
+  for (const std::size_t length : {17, 35, 56, 90}) {
+    const std::string name(length, 'b');
+    ASSERT_EQ(run(name, common).exit_code, 0);
+    EXPECT_EQ(test::readText(folder / "a" / "trajectory.txt"), test::readText(folder / name / "trajectory.txt")) << length;
+  }
+}
+
 TEST_F(RunTest, TooFewFramesNeverInitialiseButFilesAreWritten) {
   const Outcome outcome = run("out", "--sync --max-frames 2");
   EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
