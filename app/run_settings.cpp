@@ -4,14 +4,37 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 namespace svoscope {
 
+namespace {
+const std::vector<std::string> kMethods{"svo", "pl-svo", "it-svo"};
+}
+
+RunSettings RunSettings::with(const std::string& other_method) const {
+  RunSettings other = *this;
+  other.method = other_method;
+  other.methods = {other_method};
+  return other;
+}
+
 void RunSettings::addTo(CLI::App& command, bool required) {
   command.add_option("SEQUENCE", sequence, "Sequence: folder, video or synthetic:PRESET")->required(required);
-  command.add_option("--method", method, "Odometry method")
-      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
-      ->capture_default_str();
+  const auto choose = [this](const std::vector<std::string>& chosen) {
+    methods.clear();
+    for (const std::string& name : chosen) {
+      for (const std::string& one : name == "all" ? kMethods : std::vector<std::string>{name}) {
+        if (std::find(methods.begin(), methods.end(), one) == methods.end()) methods.push_back(one);
+      }
+    }
+    method = methods.front();
+  };
+  command.add_option_function<std::vector<std::string>>("--method", choose, "Odometry method; repeatable")
+      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo", "all"}))
+      ->allow_extra_args(false)
+      ->type_name("METHOD")
+      ->default_str(method);
   command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
   command.add_option("--set", assignments, "One parameter as key=value; repeatable")
       ->allow_extra_args(false)
@@ -40,15 +63,21 @@ Result<Parameters> RunSettings::parameters() const {
 }
 
 Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
+  const Result<Parameters> checked = parameters();  // before a large sequence is opened
+  if (!checked.ok()) return checked.error();
+  auto opened = openSequence(sequence);
+  if (!opened.ok()) return opened.error();
+  return open(std::move(options), std::move(opened).value());
+}
+
+Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options, std::unique_ptr<Sequence> opened) const {
   Result<Parameters> chosen = parameters();
   if (!chosen.ok()) return chosen.error();
   options.parameters = chosen.value();
   options.method = method;
   options.start = start;
   options.max_frames = max_frames;
-  auto opened = openSequence(sequence);
-  if (!opened.ok()) return opened.error();
-  return makeRunner(std::move(opened).value(), options);
+  return makeRunner(std::move(opened), options);
 }
 
 }  // namespace svoscope
