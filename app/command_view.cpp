@@ -8,6 +8,7 @@
 #include "app/open_runs.h"
 #include "app/run_settings.h"
 #include "app/tour.h"
+#include "engine/runner/lockstep_runner.h"
 #include "ui/application.h"
 
 namespace svoscope {
@@ -36,7 +37,8 @@ int runView(const Arguments& a) {
   if (a.headless) {
     inspector.surface = ui::SurfaceKind::osmesa;
     inspector.out = a.out.empty() ? "svoscope-screens" : a.out;
-    auto script = writeTour(inspector.out, runner.value()->info());
+    const bool several = dynamic_cast<const LockstepRunner*>(runner.value().get()) != nullptr;
+    auto script = writeTour(inspector.out, runner.value()->info(), several);
     if (!script.ok()) return reportError(script.error());
     inspector.script = script.value();
   } else {

@@ -23,7 +23,7 @@ const char* presetText(const std::string& name) {
            "v 0.58 ( [Evaluation] [Image,Log,Selection] ) )";
   if (name == "Compare")
     return "Compare|h 0.55 ( v 0.44 ( [Compare images] [Compare 3-D] ) "
-           "v 0.40 ( [Compare metrics,Image,Log] [Compare plots,Plots,Evaluation] ) )";
+           "v 0.45 ( [Compare metrics,Image,Log] [Compare plots,Plots,Evaluation] ) )";
   if (name == "Image only") return "Image only|[Image]";
   return "Tracking|h 0.60 ( v 0.66 ( [Image] [Plots,Timing,Evaluation] ) "
          "v 0.50 ( [3-D] [Funnel,Selection,Log,Parameters] ) )";

@@ -46,7 +46,7 @@ float exportButton(const std::string& panel, float x, ImVec2 lo, ImVec2& hi, Lay
   ImGui::SetCursorScreenPos(at);
   if (ImGui::InvisibleButton("##export", {width, titleHeight()})) view.export_clicked = panel;
   Probe::record("export:" + panel, at, {hi.x, lo.y + titleHeight()});
-  const ImU32 color = ImGui::IsItemHovered() ? ink::text : ink::faint;
+  const ImU32 color = ImGui::IsItemHovered() ? ink::text : ink::dim;
   ImGui::GetWindowDrawList()->AddText(
       {at.x + grid(2), std::round(lo.y + (titleHeight() - ImGui::GetFontSize()) / 2)}, color, "Export");
   hi.x = at.x;

@@ -13,7 +13,10 @@ class InspectorTarget : public ScriptTarget {
  public:
   InspectorTarget(Runner& runner, UiState& state) : runner_(runner), runs_(runner), state_(state) {}
 
-  int shownFrame() const override { return state_.viewed_frame >= 0 ? state_.viewed_frame : runs_.frame(); }
+  int shownFrame() const override {
+    // The newest snapshot of the current run may be older than the frame all runs are at.
+    return state_.viewed_frame < 0 && runs_.size() > 1 ? runs_.frame() : state_.viewed_frame;
+  }
   Status showFrame(int index) override;
   Status selectFeature(std::int64_t id) override;
   Status selectSeed(std::int64_t id) override;

@@ -26,7 +26,8 @@ void header(PanelContext& c, const CompareData& data) {
 void stateRow(PanelContext& c) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextDisabled("Frame %d", c.viewedFrame());
+  if (c.viewedFrame() < 0) ImGui::TextDisabled("No frame yet");
+  else ImGui::TextDisabled("Frame %d", c.viewedFrame());
   for (int i = 0; i < c.runs.size(); ++i) {
     ImGui::TableNextColumn();
     const FrameRecord* record = c.all_caches[static_cast<std::size_t>(i)]->run.find(c.viewedFrame());
@@ -50,7 +51,7 @@ void metricTable(PanelContext& c, const CompareData& data) {
     tooltip(row.hint.c_str());
     for (std::size_t i = 0; i < row.values.size(); ++i) {
       ImGui::TableNextColumn();
-      const bool best = static_cast<int>(i) == row.best;
+      const bool best = row.best >= 0 && row.values[i] == row.values[static_cast<std::size_t>(row.best)];
       ImGui::PushStyleColor(ImGuiCol_Text, toVec4(best ? ink::selected : row.values[i] == "–" ? ink::faint : ink::dim));
       ImGui::TextUnformatted(row.values[i].c_str());
       ImGui::PopStyleColor();
@@ -97,15 +98,22 @@ void runTitle(PanelContext&, const RunStyle& style, const FrameRecord* record) {
   ImGui::SameLine(0, grid(2));
   const bool lost = record && !style.poses_only && record->state == TrackingState::lost;
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(lost ? okabe::orange : ink::dim));
-  ImGui::TextUnformatted(runStateText(style, record).c_str());
+  const std::string text = runStateText(style, record);
+  std::string shown = text;
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (const auto comma = text.find(", "); comma != std::string::npos && ImGui::CalcTextSize(text.c_str()).x > room) {
+    shown = text.substr(comma + 2);  // that it tracks is plain from the number
+  }
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopStyleColor();
+  tooltip(text.c_str());
 }
 
 void drawCompareMetricsPanel(PanelContext& c) {
   if (!comparing(c)) return;
   const CompareData& data = c.compare;
   const int columns = static_cast<int>(data.runs().size()) + 1;
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {grid(1), grid(0.75f)});
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {grid(1), grid(0.5f)});
   const ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings |
                                 ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
   if (ImGui::BeginTable("##metrics", columns, flags)) {

@@ -29,10 +29,12 @@ bool anyFinite(const std::vector<float>& values) {
 
 std::vector<PlotMark> lossMarks(const CompareData& data) {
   std::vector<PlotMark> marks;
+  int cross = 0;  // a row for each run: losses of the same frame stay apart
   for (const ComparedRun& run : data.runs()) {
     for (const int row : run.losses) {
-      marks.push_back({run.frames[static_cast<std::size_t>(row)], run.style.color, run.style.label + " lost", true});
+      marks.push_back({run.frames[static_cast<std::size_t>(row)], run.style.color, run.style.label + " lost", cross});
     }
+    cross += !run.losses.empty();
   }
   return marks;
 }
@@ -73,7 +75,7 @@ void drawComparePlotsPanel(PanelContext& c) {
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
   const float room = ImGui::GetContentRegionAvail().y - spacing * static_cast<float>(specs.size());
-  const float height = std::max(ImGui::GetFontSize() * 6, room / static_cast<float>(specs.size()));
+  const float height = std::max(ImGui::GetFontSize() * 4.8f, room / static_cast<float>(specs.size()));
   for (std::size_t i = 0; i < specs.size(); ++i) {
     PlotSpec& spec = specs[i];
     spec.size = {0, std::floor(height)};

@@ -28,9 +28,14 @@ void toolbar(PanelContext& c) {
 
 void marks(const CompareScene& scene, const SceneCamera& camera) {
   ImDrawList* list = ImGui::GetWindowDrawList();
+  std::vector<ImVec2> taken;  // runs are often lost in the same place: side by side then
   for (const ComparePlace& place : scene.losses()) {
-    const auto at = camera.project(place.position.cast<double>());
+    auto at = camera.project(place.position.cast<double>());
     if (!at) continue;
+    for (const ImVec2& other : taken) {
+      if (std::hypot(other.x - at->x, other.y - at->y) < dp(9)) at->x = other.x + dp(12);
+    }
+    taken.push_back(*at);
     list->AddCircleFilled(*at, dp(6), IM_COL32(0, 0, 0, 150), 16);
     drawSwatch(Swatch::cross, *at, dp(4), place.color);
   }

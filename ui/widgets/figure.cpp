@@ -140,7 +140,7 @@ std::string Figure::svg(ImU32 background) const {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
                      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" ";
   text += format("width=\"%g\" height=\"%g\" viewBox=\"%g %g %g %g\" ", width, height, x, y, width, height);
-  text += "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n<defs>\n" + clips_ + "</defs>\n";
+  text += "font-family=\"DejaVu Sans, Verdana, sans-serif\" xml:space=\"preserve\">\n<defs>\n" + clips_ + "</defs>\n";
   text += format("<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" ", x, y, width, height) + paint("fill", background) + "/>\n";
   text += elements_;
   for (std::size_t i = 0; i < clip_stack_.size(); ++i) text += "</g>\n";

@@ -135,9 +135,9 @@ void drawMarks(const Frame& f, const PlotSpec& spec) {
     const float x = f.x.toPixel(m.x);
     if (x < f.lo.x || x > f.hi.x) continue;
     pen::line(f.list, {x, f.hi.y - grid(1.5f)}, {x, f.hi.y}, m.color, dp(1.5f));
-    if (!m.tall) continue;
+    if (m.cross < 0) continue;
     pen::line(f.list, {x, f.lo.y}, {x, f.hi.y}, withAlpha(m.color, 0.35f), dp(1));
-    drawSwatch(Swatch::cross, {x, f.lo.y + grid(1.5f)}, grid(1), m.color);
+    drawSwatch(Swatch::cross, {x, f.lo.y + grid(1.5f + 2.5f * static_cast<float>(m.cross))}, grid(1), m.color);
   }
 }
 

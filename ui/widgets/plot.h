@@ -25,7 +25,7 @@ struct PlotMark {
   float x = 0;
   ImU32 color = 0;
   std::string text;
-  bool tall = false;  ///< through the whole plot, with a cross: a loss
+  int cross = -1;  ///< row from the top of a cross on a line through the plot: a loss; -1: none
 };
 
 struct PlotLevel {
