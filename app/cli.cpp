@@ -21,6 +21,8 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  svoscope synthetic:room                      watch the built-in room\n"
     "  svoscope run SEQUENCE --out results          trajectory, metrics, map\n"
+    "  svoscope run SEQUENCE --record --out results the same, and all that the inspector shows\n"
+    "  svoscope results/run.svoscope                look at the recording\n"
     "  svoscope eval groundtruth.txt results/trajectory.txt\n"
     "\n"
     "Exit codes: 0 done, 1 internal error, 2 usage, 3 input, 4 output not writable,\n"

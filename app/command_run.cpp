@@ -14,6 +14,8 @@
 #include "app/method_table.h"
 #include "app/progress.h"
 #include "app/run_settings.h"
+#include "engine/recording/open_run.h"
+#include "engine/recording/recorder.h"
 
 namespace svoscope {
 
@@ -21,11 +23,13 @@ namespace {
 
 constexpr const char* kFooter =
     "Writes trajectory.txt, keyframes.txt, frames.csv, map.ply, metrics.json and config.yaml into\n"
-    "DIR (docs/commands.md). Ctrl-C writes what is done and exits with 130.\n"
+    "DIR (docs/commands.md); with --record also run.svoscope (docs/recording.md). Ctrl-C writes what is\n"
+    "done and exits with 130.\n"
     "\n"
     "Examples:\n"
     "  svoscope run synthetic:room --out results\n"
     "  svoscope run SEQUENCE --method svo --sync --out results\n"
+    "  svoscope run SEQUENCE --record --out results && svoscope results/run.svoscope\n"
     "  svoscope run synthetic:room --depth-study --poses groundtruth --out study\n"
     "  svoscope run SEQUENCE --config mine.yaml --set detect.cell_px=25 --out results";
 
@@ -34,6 +38,8 @@ struct Arguments {
   std::string out;
   bool sync = false;
   bool depth_study = false;
+  bool record = false;
+  int quality = RecordingOptions().jpeg_quality;
   std::string poses = "estimate";  ///< of the depth study
 };
 
@@ -59,13 +65,8 @@ int exitCodeOf(const DriveOutcome& outcome, const RunMetrics& metrics) {
   return metrics.init_frame ? kExitDone : kExitNeverInitialised;
 }
 
-/// `report`: print the figures. `metrics` is filled once there are any.
-int driveAndReport(Runner& runner, const Arguments& arguments, const std::string& config_yaml, bool report,
-                   RunMetrics& result) {
-  RunWriter writer;
-  const Status begun = writer.begin(arguments.out, runner.info(), config_yaml);
-  if (!begun.ok()) return reportError(begun.error());
-
+/// `report`: print the figures. `result` is filled once there are any.
+int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments, bool report, RunMetrics& result) {
   const InterruptGuard guard;
   DriveOptions options;
   options.first_frame = arguments.run.start;
@@ -103,17 +104,35 @@ int driveAndReport(Runner& runner, const Arguments& arguments, const std::string
   return study == kExitDone ? code : study;
 }
 
+/// The recording's own outcome counts only if the run itself went well.
+int closeRecording(Recorder& recorder, int code) {
+  const Status closed = recorder.close();
+  if (closed.ok()) return code;
+  const int failed = reportError(closed.error());
+  return code == kExitDone || code == kExitNeverInitialised ? failed : code;
+}
+
 int runOne(const Arguments& arguments, bool report, RunMetrics& metrics) {
   RunnerOptions options;
   options.threaded = !arguments.sync;
-  options.publish_snapshots = false;  // nobody looks at them
+  options.publish_snapshots = arguments.record;  // else nobody looks at them
+  options.place_seeds = false;
+  options.history_budget = 64u << 20;            // the recorder has its own queue
   const Result<Parameters> parameters = arguments.run.parameters();
   if (!parameters.ok()) return reportError(parameters.error());
   const std::string config =
       "# svoscope " SVOSCOPE_VERSION "\n" + parametersYaml(parameters.value(), arguments.run.method);
+  const auto recorder = std::make_shared<Recorder>();
+  if (arguments.record) options.observer = recorder;
   auto runner = arguments.run.open(options);
   if (!runner.ok()) return reportError(runner.error());
-  return driveAndReport(*runner.value(), arguments, config, report, metrics);
+  RunWriter writer;
+  Status begun = writer.begin(arguments.out, runner.value()->info(), config);
+  if (begun.ok() && arguments.record)
+    begun = recorder->start(writer.folder() / kRecordingName, {SVOSCOPE_VERSION, arguments.quality});
+  if (!begun.ok()) return reportError(begun.error());
+  const int code = driveAndReport(*runner.value(), writer, arguments, report, metrics);
+  return closeRecording(*recorder, code);
 }
 
 /// Each method into a folder of its own, and one table of all. What went wrong first decides the exit
@@ -138,6 +157,8 @@ int runAll(const Arguments& arguments) {
 }
 
 int runRun(const Arguments& arguments) {
+  if (looksLikeRecording(arguments.run.sequence))
+    return reportError(usageError("is a recording, run needs a sequence", arguments.run.sequence, "open it with svoscope view"));
   if (arguments.run.methods.size() > 1) return runAll(arguments);
   RunMetrics metrics;
   return runOne(arguments, true, metrics);
@@ -149,12 +170,16 @@ void addRunCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Run a sequence and write the results");
   command->footer(kFooter);
-  arguments->run.addTo(*command);
+  arguments->run.addTo(*command, true, "Sequence: folder, video or synthetic:PRESET");
   command->add_option("--out", arguments->out, "Folder of the results, made if absent")
       ->required()
       ->type_name("DIR");
   command->add_flag("--sync", arguments->sync,
                     "Without threads: slower, the same result every time");
+  command->add_flag("--record", arguments->record, "Also record everything for the inspector: run.svoscope");
+  command->add_option("--record-quality", arguments->quality, "JPEG quality of the recorded images")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
   command->add_flag("--depth-study", arguments->depth_study,
                     "Also hold both depth filters against true depth");
   command->add_option("--poses", arguments->poses, "Camera poses of the depth study")

@@ -42,9 +42,13 @@ int runView(const Arguments& a) {
     if (!script.ok()) return reportError(script.error());
     inspector.script = script.value();
   } else {
-    const double rate = runner.value()->info().rate_hz;
-    runner.value()->send({Command::Kind::set_speed, -1, "", std::to_string(rate > 0 ? rate : 30.0)});
-    runner.value()->send({a.paused ? Command::Kind::step : Command::Kind::play, -1, "", ""});
+    const RunInfo& info = runner.value()->info();
+    runner.value()->send({Command::Kind::set_speed, -1, "", std::to_string(info.rate_hz > 0 ? info.rate_hz : 30.0)});
+    if (runner.value()->status().recorded && !a.paused) {
+      runner.value()->send({Command::Kind::run_to_frame, info.frames, "", ""});  // all of it at once
+    } else {
+      runner.value()->send({a.paused ? Command::Kind::step : Command::Kind::play, -1, "", ""});
+    }
   }
   inspector.runner = std::move(runner).value();
   const int code = ui::runInspector(inspector);
@@ -62,6 +66,7 @@ void addViewCommand(CLI::App& app, Action& action) {
       "  svoscope synthetic:room\n"
       "  svoscope view SEQUENCE --paused\n"
       "  svoscope view SEQUENCE --method all --trajectory orb.txt=ORB-SLAM2\n"
+      "  svoscope view results/run.svoscope\n"
       "  svoscope view SEQUENCE --headless --out screens");
   a->run.addTo(*command);
   a->compare.addTo(*command);

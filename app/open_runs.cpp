@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "app/command.h"
 #include "engine/dataset/shared_sequence.h"
+#include "engine/recording/open_run.h"
 #include "engine/runner/lockstep_runner.h"
 #include "engine/runner/serialized_runner.h"
 #include "engine/runner/trajectory_runner.h"
@@ -17,7 +19,27 @@ namespace {
 
 /// The one place where a recording becomes a run.
 Result<std::unique_ptr<Runner>> openRecording(const std::string& path) {
-  return usageError("recordings cannot be opened yet", path, "compare trajectories with --trajectory");
+  std::error_code ec;
+  if (!std::filesystem::exists(path, ec)) return inputError("does not exist", path, "check the path");
+  if (!looksLikeRecording(path)) return inputError("is not a recording", path, "run --record writes run.svoscope");
+  return openRun(path, {});
+}
+
+/// A recording knows its frames' times; it is opened once more to be asked for them.
+Result<FrameTimes> recordedTimes(const std::string& path) {
+  auto runner = openRecording(path);
+  if (!runner.ok()) return runner.error();
+  Command to_end;
+  to_end.kind = Command::Kind::run_to_frame;
+  to_end.frame = std::numeric_limits<int>::max();
+  runner.value()->send(to_end);
+  while (runner.value()->pump()) {}
+  FrameTimes times;
+  for (const FrameRecord& record : runner.value()->records(0)) {
+    if (times.timestamps.empty()) times.first = record.index;
+    times.timestamps.push_back(record.timestamp);
+  }
+  return times;
 }
 
 FrameTimes frameTimes(const RunSettings& run, const Sequence& s) {
@@ -32,8 +54,20 @@ class Opener {
  public:
   Opener(const RunSettings& run, const CompareSettings& compare, const RunnerOptions& options)
       : run_(run), compare_(compare), options_(options) {
-    const std::size_t sharing = run.methods.size() + compare.recordings.size();
-    options_.history_budget /= std::max<std::size_t>(1, sharing);
+    options_.history_budget /= std::max<std::size_t>(1, run.methods.size());  // recordings have a cache of their own
+  }
+
+  /// SEQUENCE itself: a run per method, or a recording.
+  Status first() {
+    if (!looksLikeRecording(run_.sequence)) return engines();
+    auto runner = run_.open(options_);
+    if (!runner.ok()) return runner.error();
+    const std::string method = runner.value()->info().method;
+    add(std::move(runner).value(), method, false);
+    const auto times = recordedTimes(run_.sequence);
+    if (!times.ok()) return times.error();
+    times_ = times.value();
+    return Done{};
   }
 
   Status engines() {
@@ -60,7 +94,7 @@ class Opener {
         return inputError("it is a run of " + runner.value()->info().sequence + ", not of " + info().sequence,
                           path, "runs are compared on one sequence");
       }
-      add(std::make_unique<SerializedRunner>(std::move(runner).value()), label, false);
+      add(std::move(runner).value(), label, false);
     }
     return Done{};
   }
@@ -131,7 +165,7 @@ Result<std::unique_ptr<Runner>> openRuns(const RunSettings& run, const CompareSe
   const bool alone = run.methods.size() == 1 && compare.recordings.empty() && compare.trajectories.empty();
   if (alone) return run.open(options);
   Opener opener(run, compare, options);
-  Status status = opener.engines();
+  Status status = opener.first();
   if (status.ok()) status = opener.recordings();
   if (status.ok()) status = opener.trajectories();
   if (!status.ok()) return status.error();

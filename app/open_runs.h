@@ -19,7 +19,7 @@ struct CompareSettings {
 };
 
 /// One runner for a single run, else a LockstepRunner over all; the budget of the history is shared
-/// among them. Errors name the file or option.
+/// among the engines. SEQUENCE may be a recording. Errors name the file or option.
 Result<std::unique_ptr<Runner>> openRuns(const RunSettings& run, const CompareSettings& compare,
                                          const RunnerOptions& options);
 

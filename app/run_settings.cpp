@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "engine/recording/open_run.h"
+
 namespace svoscope {
 
 namespace {
@@ -19,8 +21,8 @@ RunSettings RunSettings::with(const std::string& other_method) const {
   return other;
 }
 
-void RunSettings::addTo(CLI::App& command, bool required) {
-  command.add_option("SEQUENCE", sequence, "Sequence: folder, video or synthetic:PRESET")->required(required);
+void RunSettings::addTo(CLI::App& command, bool required, const char* what) {
+  command.add_option("SEQUENCE", sequence, what)->required(required);
   const auto choose = [this](const std::vector<std::string>& chosen) {
     methods.clear();
     for (const std::string& name : chosen) {
@@ -30,20 +32,22 @@ void RunSettings::addTo(CLI::App& command, bool required) {
     }
     method = methods.front();
   };
-  command.add_option_function<std::vector<std::string>>("--method", choose, "Odometry method; repeatable")
+  CLI::Option* chosen_method =
+      command.add_option_function<std::vector<std::string>>("--method", choose, "Odometry method; repeatable")
       ->check(CLI::IsMember({"svo", "pl-svo", "it-svo", "all"}))
       ->allow_extra_args(false)
       ->type_name("METHOD")
       ->default_str(method);
-  command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
-  command.add_option("--set", assignments, "One parameter as key=value; repeatable")
+  CLI::Option* chosen_config = command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
+  CLI::Option* chosen_set = command.add_option("--set", assignments, "One parameter as key=value; repeatable")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
-  command.add_option("--start", start, "First frame, from 0")
+  CLI::Option* chosen_start = command.add_option("--start", start, "First frame, from 0")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
-  command.add_option("--max-frames", max_frames, "Stop after so many frames")
+  CLI::Option* chosen_end = command.add_option("--max-frames", max_frames, "Stop after so many frames")
       ->check(CLI::Range(1, 1000000000));
+  of_engine_ = {chosen_method, chosen_config, chosen_set, chosen_start, chosen_end};
 }
 
 Result<Parameters> RunSettings::parameters() const {
@@ -65,6 +69,13 @@ Result<Parameters> RunSettings::parameters() const {
 Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
   const Result<Parameters> checked = parameters();  // before a large sequence is opened
   if (!checked.ok()) return checked.error();
+  if (looksLikeRecording(sequence)) {
+    for (const CLI::Option* option : of_engine_) {
+      if (option->count() > 0)
+        return usageError("a recording brings its own method and parameters", option->get_name(), "leave the option out");
+    }
+    return openRun(sequence, options);
+  }
   auto opened = openSequence(sequence);
   if (!opened.ok()) return opened.error();
   return open(std::move(options), std::move(opened).value());

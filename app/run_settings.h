@@ -10,6 +10,7 @@
 
 namespace CLI {
 class App;
+class Option;
 }
 
 namespace svoscope {
@@ -22,8 +23,10 @@ struct RunSettings {
   int max_frames = -1;
 
   /// Adds SEQUENCE, --method, --config, --set, --start and --max-frames. `required`: SEQUENCE is.
-  void addTo(CLI::App& command, bool required = true);
-  /// Opens the sequence and makes its runner; `options` brings what is not on the command line.
+  void addTo(CLI::App& command, bool required = true,
+             const char* what = "Sequence (folder, video, synthetic:PRESET) or recording");
+  /// Opens the sequence or recording and makes its runner; `options` brings what is not on the command
+  /// line. Usage error for options of the engine with a recording.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options) const;
   /// The same on a sequence that is open already.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options, std::unique_ptr<Sequence> opened) const;
@@ -31,6 +34,9 @@ struct RunSettings {
   RunSettings with(const std::string& other_method) const;
   /// Parameters of --config and --set: input error for the file, usage error for the line.
   Result<Parameters> parameters() const;
+
+ private:
+  std::vector<const CLI::Option*> of_engine_;  ///< options that a recording has no use for
 };
 
 }  // namespace svoscope

@@ -224,10 +224,9 @@ void Inspector::drawHelp(PanelContext& context) {
 }
 
 void Inspector::togglePlay() {
-  state_.viewed_frame = -1;
   Command command;
   command.kind = runner_.status().playing ? Command::Kind::pause : Command::Kind::play;
-  runner_.send(command);
+  moveOn(runner_, state_, command);
 }
 
 void Inspector::step(bool back) {
@@ -253,10 +252,9 @@ void Inspector::requestScreenshot() {
 
 void Inspector::act(Action action) {
   const auto run = [this](Command::Kind kind) {
-    state_.viewed_frame = -1;
     Command command;
     command.kind = kind;
-    runner_.send(command);
+    moveOn(runner_, state_, command);
   };
   switch (action) {
     case Action::none: return;

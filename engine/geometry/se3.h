@@ -20,6 +20,13 @@ class SE3 {
   SE3(const Eigen::Quaterniond& q, const Vec3& t) : q_(q.normalized()), t_(t) {}
   SE3(const Mat3& R, const Vec3& t) : q_(Eigen::Quaterniond(R).normalized()), t_(t) {}
 
+  /// Parts that came out of an SE3, taken over bit by bit: the quaternion is not normalized again.
+  static SE3 fromParts(const Eigen::Quaterniond& unit, const Vec3& t) {
+    SE3 T;
+    T.q_ = unit;
+    T.t_ = t;
+    return T;
+  }
   /// Exponential map of the twist (v, omega).
   static SE3 exp(const Vec6& twist);
   /// Inverse of exp for rotation angles below pi.

@@ -48,7 +48,7 @@ Status RunWriter::begin(const std::filesystem::path& folder, const RunInfo& info
   Status status = makeFolder(folder);
   if (!status.ok()) return status;
   // A run that is killed must not leave the results of the one before beside its own.
-  for (const char* name : {"keyframes.txt", "map.ply", "metrics.json"}) {
+  for (const char* name : {"keyframes.txt", "map.ply", "metrics.json", "run.svoscope", "run.svoscope-wal", "run.svoscope-shm"}) {
     std::error_code ec;
     std::filesystem::remove(folder / name, ec);
   }

@@ -28,6 +28,20 @@ class BlockingQueue {
     return take();
   }
 
+  /// Waits for a value, but not longer than this.
+  template <typename Duration>
+  std::optional<T> popWithin(Duration longest) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, longest, [this] { return closed_ || !values_.empty(); });
+    return take();
+  }
+
+  /// Closed, and nothing is left.
+  bool drained() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return closed_ && values_.empty();
+  }
+
   /// Does not wait.
   std::optional<T> tryPop() {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -39,6 +39,9 @@ class Engine {
   /// On: snapshots hold both rules of the depth filter and every seed update (Tracker::setInspected).
   void setInspected(bool on) { tracker_.setInspected(on); }
 
+  /// Off: snapshots say what seeds believe, not where in the world and in the image that is.
+  void setPlaced(bool on) { builder_.setPlaced(on); }
+
   Status setParameter(const std::string& key, const std::string& value);
   const Parameters& parameters() const { return parameters_; }
   void reset();

@@ -32,6 +32,7 @@ class LockstepRunner::View : public Runner {
   RunnerStatus status() const override {
     RunnerStatus status = run_.status();
     status.next_frame = std::min(status.next_frame, frame_ + 1);
+    status.recorded = false;  // it goes where all go
     return status;
   }
   SnapshotPtr latest() const override {
@@ -41,6 +42,9 @@ class LockstepRunner::View : public Runner {
   }
   SnapshotPtr at(int frame_index) const override {
     return frame_index <= frame_ ? run_.at(frame_index) : nullptr;
+  }
+  SnapshotPtr valuesAt(int frame_index) const override {
+    return frame_index <= frame_ ? run_.valuesAt(frame_index) : nullptr;
   }
   std::vector<FrameRecord> records(int first) const override {
     std::vector<FrameRecord> rows = run_.records(first);
@@ -111,6 +115,7 @@ bool LockstepRunner::pump() { return thread_.joinable() ? false : advance(); }
 
 RunnerStatus LockstepRunner::status() const {
   RunnerStatus status = member(current_).runner->status();
+  status.recorded = false;  // the set moves forwards only, though a recording could jump
   status.history_bytes = status.history_budget = 0;
   double frame_s = 0;
   for (const Member& m : members_) {

@@ -58,6 +58,7 @@ class LockstepRunner : public Runner {
   RunnerStatus status() const override;
   SnapshotPtr latest() const override { return run(current_).latest(); }
   SnapshotPtr at(int frame_index) const override { return run(current_).at(frame_index); }
+  SnapshotPtr valuesAt(int frame_index) const override { return run(current_).valuesAt(frame_index); }
   std::vector<FrameRecord> records(int first) const override { return run(current_).records(first); }
   std::vector<Event> events(int first) const override { return run(current_).events(first); }
   std::vector<ParameterView> parameters() const override { return run(current_).parameters(); }

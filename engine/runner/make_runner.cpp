@@ -18,12 +18,18 @@ std::optional<FilterRule> ruleOf(const std::string& method) {
 
 }  // namespace
 
+Status applyMethod(Parameters& parameters, const std::string& method) {
+  const auto rule = ruleOf(method);
+  if (!rule) return usageError("method '" + method + "' is not available", "--method", "use svo, pl-svo or it-svo");
+  parameters.tracker.mapping.filter.rule = *rule;
+  parameters.tracker.mapping.segments.enabled = method != "svo";
+  return Done{};
+}
+
 Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& asked) {
-  const auto rule = ruleOf(asked.method);
-  if (!rule) return usageError("method '" + asked.method + "' is not available", "--method", "use svo, pl-svo or it-svo");
   RunnerOptions options = asked;
-  options.parameters.tracker.mapping.filter.rule = *rule;
-  options.parameters.tracker.mapping.segments.enabled = asked.method != "svo";
+  const Status known = applyMethod(options.parameters, asked.method);
+  if (!known.ok()) return known.error();
   if (sequence->size() == 0)
     return inputError("the sequence has no frames", sequence->name(), "check the list of images");
   if (options.start >= sequence->size())

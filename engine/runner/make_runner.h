@@ -6,7 +6,7 @@
 
 #include "engine/dataset/sequence.h"
 #include "engine/runner/parameters.h"
-#include "engine/runner/runner.h"
+#include "engine/runner/run_observer.h"
 
 namespace svoscope {
 
@@ -20,7 +20,14 @@ struct RunnerOptions {
   /// Off: rows and events only, and a snapshot whenever the run pauses or ends; for runs without
   /// a viewer.
   bool publish_snapshots = true;
+  /// Off: seeds of snapshots lack what follows from belief and poses (snapshot/seed_placement.h); enough
+  /// for a recorder.
+  bool place_seeds = true;
+  std::shared_ptr<RunObserver> observer;  ///< sees every frame; wants publish_snapshots. May be null
 };
+
+/// Sets what a method decides: rule of the depth filter, segments. Usage error if it is unknown.
+Status applyMethod(Parameters& parameters, const std::string& method);
 
 /// Usage error for an unknown method, input error for an empty sequence.
 Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& options);

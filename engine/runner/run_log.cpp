@@ -5,6 +5,19 @@
 
 namespace svoscope {
 
+void RunLog::begin(const RunInfo& info) {
+  if (observer_) observer_->begin(info);
+}
+
+void RunLog::parameters(const std::vector<ParameterView>& parameters, int from) {
+  if (observer_) observer_->parameters(parameters, from);
+}
+
+void RunLog::addNote(const Event& event) {
+  if (observer_) observer_->note(event);
+  addEvents({event});
+}
+
 void RunLog::addRecord(const FrameRecord& record) {
   const std::lock_guard<std::mutex> lock(mutex_);
   records_.push_back(record);
@@ -16,6 +29,7 @@ void RunLog::addEvents(const std::vector<Event>& events) {
 }
 
 void RunLog::addSnapshot(SnapshotPtr snapshot) {
+  if (observer_) observer_->frame(snapshot);
   std::vector<SnapshotPtr> evicted;  // destroyed outside the lock
   const std::lock_guard<std::mutex> lock(mutex_);
   bytes_ += snapshot->bytes;
@@ -28,6 +42,7 @@ void RunLog::addSnapshot(SnapshotPtr snapshot) {
 }
 
 void RunLog::clear() {
+  if (observer_) observer_->reset();
   std::deque<SnapshotPtr> dropped;
   const std::lock_guard<std::mutex> lock(mutex_);
   dropped.swap(history_);

@@ -50,6 +50,9 @@ struct RunnerStatus {
   std::size_t history_bytes = 0, history_budget = 0;
   int history_first = 0;      ///< oldest frame still held
   double fps = 0;             ///< engine frames per second, recent
+  /// A recording is played back: nothing is computed, parameters cannot be changed, run_to_frame goes
+  /// to any frame at once, backwards too, and no frame is ever evicted.
+  bool recorded = false;
 };
 
 class Runner {
@@ -65,6 +68,8 @@ class Runner {
   virtual RunnerStatus status() const = 0;
   virtual SnapshotPtr latest() const = 0;              ///< null before the first frame
   virtual SnapshotPtr at(int frame_index) const = 0;   ///< null if evicted or not yet processed
+  /// The same without need of the image, which may be missing: for walks over many frames.
+  virtual SnapshotPtr valuesAt(int frame_index) const { return at(frame_index); }
   /// Rows of all processed frames from position `first` on (position == frames processed before).
   virtual std::vector<FrameRecord> records(int first) const = 0;
   /// Events of the run from position `first` on.

@@ -41,7 +41,8 @@ FeatureView segmentFeatureView(const TrackedSegment& s, const Tracker& tracker) 
   return v;
 }
 
-SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, const Tracker& tracker, const cv::Mat& depth) {
+SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, const Tracker& tracker,
+                         const SeedPlacement& placement, const cv::Mat& depth) {
   SeedView v;
   v.id = seed.id;
   v.keyframe_id = keyframe.id;
@@ -66,22 +67,7 @@ SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, cons
   v.failures = seed.failures;
   v.last_x = static_cast<float>(seed.last_x[0]);
   v.last_tau = static_cast<float>(seed.last_tau[0]);
-  const SE3 T_world_kf = keyframe.T_cam_world.inverse();
-  const double n = tracker.parameters().mapping.search.search_sigmas, mu = seed.belief[0].mu;
-  const double z[3] = {mu, mu + n * sigma(0), std::max(mu - n * sigma(0), 0.05 * mu)};
-  Vec3f* world[3] = {&v.position, &v.position_near, &v.position_far};
-  Vec2f* px[3] = {&v.px, &v.px_near, &v.px_far};
-  const Pinhole& camera = tracker.map().camera;
-  bool front = true;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 p = T_world_kf * (seed.anchor.f[0] / std::max(z[i], 1e-6));
-    *world[i] = p.cast<float>();
-    const Vec3 c = tracker.frame().T_cam_world * p;
-    front = front && c.z() > 1e-3;
-    *px[i] = front ? Vec2f(camera.project(c).cast<float>()) : *px[0];
-  }
-  v.position_end = (T_world_kf * (seed.anchor.f[1] / std::max(seed.belief[1].mu, 1e-6))).cast<float>();
-  v.visible = front && camera.inside(v.px.cast<double>(), 0);
+  placeSeed(v, placement);
   v.true_inv_distance = trueInverseDistance(depth, seed.anchor);
   return v;
 }

@@ -2,14 +2,15 @@
 // Segments as the values of a snapshot.
 #pragma once
 
-#include "engine/snapshot/snapshot.h"
+#include "engine/snapshot/seed_placement.h"
 #include "engine/tracking/tracker.h"
 
 namespace svoscope {
 
 FeatureView segmentFeatureView(const TrackedSegment& segment, const Tracker& tracker);
 /// `depth`: true depth image of the keyframe, may be empty.
-SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, const Tracker& tracker, const cv::Mat& depth);
+SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, const Tracker& tracker,
+                         const SeedPlacement& placement, const cv::Mat& depth);
 MapPointView segmentPointView(const SegmentLandmark& segment);
 
 }  // namespace svoscope

@@ -19,6 +19,7 @@ class SerializedRunner : public Runner {
   RunnerStatus status() const override { return locked(), runner_->status(); }
   SnapshotPtr latest() const override { return locked(), runner_->latest(); }
   SnapshotPtr at(int frame_index) const override { return locked(), runner_->at(frame_index); }
+  SnapshotPtr valuesAt(int frame_index) const override { return locked(), runner_->valuesAt(frame_index); }
   std::vector<FrameRecord> records(int first) const override { return locked(), runner_->records(first); }
   std::vector<Event> events(int first) const override { return locked(), runner_->events(first); }
   std::vector<ParameterView> parameters() const override { return locked(), runner_->parameters(); }

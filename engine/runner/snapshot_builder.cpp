@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/runner/segment_views.h"
+#include "engine/snapshot/seed_placement.h"
 
 namespace svoscope {
 
@@ -70,29 +71,9 @@ SeedView seedState(const Seed& seed, FilterRule rule) {
   return v;
 }
 
-SeedView seedView(const Seed& seed, const Tracker& tracker, const SE3& T_world_kf, const cv::Mat& depth) {
+SeedView seedView(const Seed& seed, const Tracker& tracker, const SeedPlacement& placement, const cv::Mat& depth) {
   SeedView v = seedState(seed, tracker.parameters().mapping.filter.rule);
-  const double mu = seed.belief.mu, sigma = std::sqrt(seed.belief.sigma2);
-  const double n = tracker.parameters().mapping.search.search_sigmas;
-  const double z[3] = {mu, mu + n * sigma, std::max(mu - n * sigma, 0.05 * mu)};
-  const Pinhole& camera = tracker.map().camera;
-  Vec2f px[3];
-  Vec3f world[3];
-  bool front = true;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 p = T_world_kf * (seed.anchor.f / std::max(z[i], 1e-6));
-    world[i] = p.cast<float>();
-    const Vec3 c = tracker.frame().T_cam_world * p;
-    front = front && c.z() > 1e-3;
-    px[i] = front ? Vec2f(camera.project(c).cast<float>()) : px[0];
-  }
-  v.visible = front && camera.inside(px[0].cast<double>(), 0);
-  v.px = px[0];
-  v.px_near = px[1];
-  v.px_far = px[2];
-  v.position = world[0];
-  v.position_near = world[1];
-  v.position_far = world[2];
+  placeSeed(v, placement);
   const int x = static_cast<int>(std::lround(seed.anchor.px.x())), y = static_cast<int>(std::lround(seed.anchor.px.y()));
   if (!depth.empty() && x >= 0 && y >= 0 && x < depth.cols && y < depth.rows) {
     // Depth images hold z; seeds measure along the ray.
@@ -100,6 +81,21 @@ SeedView seedView(const Seed& seed, const Tracker& tracker, const SE3& T_world_k
     if (true_z > 0) v.true_inv_distance = static_cast<float>(seed.anchor.f.z()) / true_z;
   }
   return v;
+}
+
+/// Poses of keyframes that the view does not know, or knows otherwise.
+bool moved(const std::vector<KeyframeView>& views, const Map& map) {
+  if (views.size() != map.keyframes.size() + map.retired.size()) return true;
+  for (const KeyframeView& view : views) {
+    if (!view.in_map) continue;
+    const auto it = map.keyframes.find(view.id);
+    if (it == map.keyframes.end()) return true;
+    const SE3 now = it->second.T_cam_world.inverse();
+    if (now.translation() != view.T_world_cam.translation() ||
+        now.quaternion().coeffs() != view.T_world_cam.quaternion().coeffs())
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -119,17 +115,26 @@ const cv::Mat& SnapshotBuilder::depthOf(const Keyframe& keyframe) {
 std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tracker& tracker) {
   auto views = std::make_shared<std::vector<SeedView>>();
   const auto& keyframes = tracker.map().keyframes;
+  std::size_t count = tracker.map().orphans.size();
+  for (const auto& [id, keyframe] : keyframes) count += keyframe.seeds.size() + keyframe.segment_seeds.size();
+  views->reserve(count);
+  const SE3 T_cam_world = tracker.record().T_world_cam.inverse();
+  const double sigmas = tracker.parameters().mapping.search.search_sigmas;
+  const auto placed = [&](const SE3& T_world_kf) {
+    return SeedPlacement{T_world_kf, T_cam_world, tracker.map().camera, sigmas, placed_};
+  };
   for (auto it = depths_.begin(); it != depths_.end();)
     it = keyframes.count(it->first) ? std::next(it) : depths_.erase(it);
   for (const auto& [id, keyframe] : keyframes) {
     if (keyframe.seeds.empty() && keyframe.segment_seeds.empty()) continue;
-    const SE3 T_world_kf = keyframe.T_cam_world.inverse();
+    const SeedPlacement placement = placed(keyframe.T_cam_world.inverse());
     const cv::Mat& depth = depthOf(keyframe);
-    for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, tracker, T_world_kf, depth));
-    for (const SegmentSeed& seed : keyframe.segment_seeds) views->push_back(segmentSeedView(seed, keyframe, tracker, depth));
+    for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, tracker, placement, depth));
+    for (const SegmentSeed& seed : keyframe.segment_seeds)
+      views->push_back(segmentSeedView(seed, keyframe, tracker, placement, depth));
   }
   for (const OrphanSeed& orphan : tracker.map().orphans)
-    views->push_back(seedView(orphan.seed, tracker, orphan.T_cam_world.inverse(), cv::Mat()));
+    views->push_back(seedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
   return views;
 }
 
@@ -192,9 +197,9 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->mapping = mappingOf(tracker);
   s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) + s->seeds->size() * sizeof(SeedView) +
              s->seed_updates->size() * sizeof(SeedUpdateView);
-  // Poses and points move a little in every frame; shown anew when the map gained or lost keyframes.
-  const std::size_t count = tracker.map().keyframes.size() + tracker.map().retired.size();
-  if (!keyframes_ || tracker.record().is_keyframe || keyframes_->size() != count) {
+  // Points move a little in every frame; they are shown anew with the keyframes, when one was added,
+  // removed or adjusted.
+  if (!keyframes_ || tracker.record().is_keyframe || moved(*keyframes_, tracker.map())) {
     keyframes_ = keyframeViews(tracker);
     points_ = pointViews(tracker);
     s->bytes += keyframes_->size() * sizeof(KeyframeView) + points_->size() * sizeof(MapPointView);

@@ -23,6 +23,7 @@ class SnapshotBuilder {
   /// Takes the seed updates kept by the tracker.
   std::shared_ptr<Snapshot> build(Tracker& tracker);
   void reset();
+  void setPlaced(bool on) { placed_ = on; }
   /// The next snapshot gets a new copy of the parameters.
   void parametersChanged() { mapping_.reset(); }
 
@@ -34,6 +35,7 @@ class SnapshotBuilder {
   const cv::Mat& depthOf(const Keyframe& keyframe);
 
   DepthReader read_depth_;
+  bool placed_ = true;
   std::uint64_t sequence_number_ = 0;
   std::map<int, cv::Mat> depths_;  ///< by keyframe id
   std::shared_ptr<const std::vector<KeyframeView>> keyframes_;

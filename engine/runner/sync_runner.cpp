@@ -13,9 +13,12 @@ bool isStart(const std::vector<Event>& events) {
 
 SyncRunner::SyncRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& o)
     : engine_(std::move(sequence), o.parameters, o.start, o.max_frames, o.method),
-      log_(o.history_budget),
+      log_(o.history_budget, o.observer),
       publish_(o.publish_snapshots) {
   engine_.setInspected(publish_);
+  engine_.setPlaced(o.place_seeds);
+  log_.begin(engine_.info());
+  log_.parameters(listParameters(engine_.parameters()), engine_.nextFrame());
 }
 
 void SyncRunner::handle(const Command& command) {
@@ -23,11 +26,13 @@ void SyncRunner::handle(const Command& command) {
   if (command.kind == Command::Kind::reset) {
     engine_.reset();
     log_.clear();
+    log_.parameters(listParameters(engine_.parameters()), engine_.nextFrame());
   } else if (command.kind == Command::Kind::pause && !publish_ && engine_.record().index >= 0) {
     log_.addSnapshot(engine_.snapshot());
   } else if (command.kind == Command::Kind::set_parameter) {
     const Status status = engine_.setParameter(command.key, command.value);
-    if (!status.ok()) log_.addEvents({{engine_.nextFrame(), EventKind::warning, status.error().message()}});
+    if (!status.ok()) log_.addNote({engine_.nextFrame(), EventKind::warning, status.error().message()});
+    log_.parameters(listParameters(engine_.parameters()), engine_.nextFrame());
   }
 }
 
@@ -42,7 +47,7 @@ void SyncRunner::processFrame() {
   log_.addEvents(engine_.events());
   if (engine_.finished()) {
     playback_.finish();
-    log_.addEvents({{engine_.record().index, EventKind::finished, "end of the sequence"}});
+    log_.addNote({engine_.record().index, EventKind::finished, "end of the sequence"});
   }
   const double ms = watch.ms();
   frame_ms_ = frame_ms_ > 0 ? 0.9 * frame_ms_ + 0.1 * ms : ms;

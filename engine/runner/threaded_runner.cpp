@@ -18,11 +18,14 @@ constexpr std::size_t kMostWaiting = 3;
 ThreadedRunner::ThreadedRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& o)
     : engine_(std::move(sequence), o.parameters, o.start, o.max_frames, o.method),
       info_(engine_.info()),
-      log_(o.history_budget),
+      log_(o.history_budget, o.observer),
       publish_(o.publish_snapshots) {
   engine_.setTimed(true);
   engine_.setInspected(publish_);
+  engine_.setPlaced(o.place_seeds);
   parameter_views_ = listParameters(engine_.parameters());
+  log_.begin(engine_.info());
+  log_.parameters(parameter_views_, engine_.nextFrame());
   publishStatus();
   tracking_ = std::thread([this] { trackingLoop(); });
   mapping_ = std::thread([this] { mappingLoop(); });
@@ -98,13 +101,16 @@ void ThreadedRunner::handle(const Command& command) {
     tasks_.clear();
     engine_.reset();
     log_.clear();
+    log_.parameters(listParameters(engine_.parameters()), engine_.nextFrame());
   } else if (command.kind == Command::Kind::pause && !publish_ && engine_.record().index >= 0) {
     log_.addSnapshot(engine_.snapshot());
   } else if (command.kind == Command::Kind::set_parameter) {
     const Status status = engine_.setParameter(command.key, command.value);
-    if (!status.ok()) log_.addEvents({{engine_.nextFrame(), EventKind::warning, status.error().message()}});
+    if (!status.ok()) log_.addNote({engine_.nextFrame(), EventKind::warning, status.error().message()});
+    std::vector<ParameterView> views = listParameters(engine_.parameters());
+    log_.parameters(views, engine_.nextFrame());
     const std::lock_guard<std::mutex> lock(mutex_);
-    parameter_views_ = listParameters(engine_.parameters());
+    parameter_views_ = std::move(views);
   }
 }
 
@@ -133,7 +139,7 @@ void ThreadedRunner::processFrame() {
   log_.addEvents(engine_.events());
   if (engine_.finished()) {
     playback_.finish();
-    log_.addEvents({{engine_.record().index, EventKind::finished, "end of the sequence"}});
+    log_.addNote({engine_.record().index, EventKind::finished, "end of the sequence"});
   }
   const double ms = watch.ms();
   frame_ms_ = frame_ms_ > 0 ? 0.9 * frame_ms_ + 0.1 * ms : ms;

@@ -66,7 +66,7 @@ TEST(Architecture, TheUserInterfaceSeesResultsOnly) {
 
 TEST(Architecture, EngineFoldersLookDownwardsOnly) {
   const std::vector<std::string> order = {"base",  "geometry", "eval",     "dataset",  "frame",  "detect",
-                                          "match", "mapping",  "tracking", "snapshot", "runner", "study", "io"};
+                                          "match", "mapping",  "tracking", "snapshot", "runner", "recording", "study", "io"};
   const auto rank = [&](const std::string& folder) {
     return std::find(order.begin(), order.end(), folder) - order.begin();
   };

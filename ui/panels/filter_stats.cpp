@@ -130,7 +130,7 @@ bool FilterStats::update(const Runner& runner, const SnapshotPtr& latest) {
   next_ = std::max(next_, runner.status().history_first);
   for (int n = 0; next_ <= latest->record.index; ++next_) {
     if (n++ >= kSnapshotsPerCall) return false;
-    if (const SnapshotPtr s = runner.at(next_)) read(*s);
+    if (const SnapshotPtr s = runner.valuesAt(next_)) read(*s);
   }
   return true;
 }

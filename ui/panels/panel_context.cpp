@@ -3,10 +3,22 @@
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
+
+void moveOn(Runner& runner, UiState& state, const Command& command) {
+  const int viewed = std::exchange(state.viewed_frame, -1);  // whoever moves the engine wants to see it
+  if (viewed >= 0 && runner.status().recorded && command.kind != Command::Kind::reset) {
+    Command jump;
+    jump.kind = Command::Kind::run_to_frame;
+    jump.frame = viewed;
+    runner.send(jump);
+  }
+  runner.send(command);
+}
 
 bool saysWhyEmpty(const PanelContext& context) {
   if (context.snapshot) return false;

@@ -41,6 +41,9 @@ struct PanelCaches {
   SeparationCurves separation;
 };
 
+/// Sends a command that moves the run, and follows it. A recording goes on from the frame in view.
+void moveOn(Runner& runner, UiState& state, const Command& command);
+
 /// With several runs open, all but `runs`, `all_caches` and `compare` is of the current one.
 struct PanelContext {
   Runner& runner;
@@ -58,19 +61,34 @@ struct PanelContext {
   int newest = -1;                      ///< last frame that all runs have; -1 before the first
   std::string size_text;                ///< for the status bar: what renders
 
+  /// Last frame that can be viewed: of a recording also what was played before and gone back from.
+  int lastFrame() const {
+    const auto& records = caches.run.records();
+    return status.recorded && !records.empty() ? records.back().index : engineFrame();
+  }
+
   bool live() const { return state.viewed_frame < 0; }
   int engineFrame() const { return newest; }
   int viewedFrame() const { return live() ? engineFrame() : state.viewed_frame; }
   /// Shows a frame; the newest one means live.
   void view(int frame) const {
+    if (status.recorded && frame > engineFrame()) return jump(frame);
     state.viewed_frame = frame < 0 || frame >= engineFrame() ? -1 : frame;
   }
   void send(Command::Kind kind, int frame = -1) const {
     Command command;
     command.kind = kind;
     command.frame = frame;
-    state.viewed_frame = -1;  // whoever moves the engine wants to see it
+    moveOn(runner, state, command);
+  }
+
+ private:
+  void jump(int frame) const {
+    Command command;
+    command.kind = Command::Kind::run_to_frame;
+    command.frame = frame;
     runner.send(command);
+    state.viewed_frame = -1;
   }
 };
 

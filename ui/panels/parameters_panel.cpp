@@ -12,6 +12,8 @@ namespace svoscope::ui {
 
 namespace {
 
+constexpr const char* kReadOnly = "Read only: a recording shows what was computed";
+
 void set(PanelContext& c, const std::string& key, const std::string& value) {
   Command command;
   command.kind = Command::Kind::set_parameter;
@@ -79,20 +81,21 @@ void row(PanelContext& c, const ParameterView& p, const std::string& short_name)
   tooltip(meaningOf(p).c_str());
   ImGui::TableNextColumn();
   std::string value;
-  if (edit(p, value) && value != p.value) set(c, p.key, value);
+  if (c.status.recorded) ImGui::TextUnformatted(p.value.c_str());
+  else if (edit(p, value) && value != p.value) set(c, p.key, value);
   Probe::record(p.key, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   tooltip(meaningOf(p).c_str());
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", p.unit.c_str());
   ImGui::TableNextColumn();
-  if (changed) {
+  if (changed && !c.status.recorded) {
     if (ImGui::SmallButton("Default")) set(c, p.key, p.default_value);
     Probe::record("Default " + p.key, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  if (p.needs_reset) {
+  if (p.needs_reset && !c.status.recorded) {
     ImGui::TextColored(toVec4(okabe::orange), "needs reset");
     ImGui::SameLine();
   }
@@ -117,8 +120,13 @@ bool beginGroup(const std::string& group) {
 
 void drawParametersPanel(PanelContext& c) {
   const auto parameters = c.runner.parameters();
-  if (parameters.empty()) return emptyState("No parameters", "A recording shows what was computed, nothing can be changed");
+  if (parameters.empty()) return emptyState("No parameters", "This recording holds none");
   inputText("##parameter_filter", "Filter, for example reproject", c.state.parameter_filter, ImGui::GetFontSize() * 14);
+  if (c.status.recorded) {
+    sameLineIfFits(ImGui::CalcTextSize(kReadOnly).x);
+    ImGui::TextColored(toVec4(okabe::orange), "%s", kReadOnly);
+    Probe::record("read only", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  }
   std::string group;
   bool open = false;
   int hidden = 0;

@@ -8,6 +8,33 @@
 
 namespace svoscope::ui {
 
+namespace {
+
+const KeyframeView* findKeyframe(const Snapshot* snapshot, int id) {
+  if (!snapshot || !snapshot->keyframes) return nullptr;
+  for (const KeyframeView& k : *snapshot->keyframes) {
+    if (k.id == id) return &k;
+  }
+  return nullptr;
+}
+
+/// `later`, or in its place a snapshot with nothing but the keyframe and its image: those of a recording
+/// hold the image of their own frame only.
+SnapshotPtr withKeyframeImage(const Runner& runner, int keyframe, const Snapshot& searched, SnapshotPtr later) {
+  const KeyframeView* now = findKeyframe(&searched, keyframe);
+  const KeyframeView* known = now ? now : findKeyframe(later.get(), keyframe);
+  if (!known || known->pyramid) return later;
+  const SnapshotPtr frame = runner.at(known->frame_index);
+  if (!frame || !frame->pyramid) return later;
+  KeyframeView complete = *known;
+  complete.pyramid = frame->pyramid;
+  auto snapshot = std::make_shared<Snapshot>();
+  snapshot->keyframes = std::make_shared<const std::vector<KeyframeView>>(1, complete);
+  return snapshot;
+}
+
+}  // namespace
+
 SearchCache::SearchCache()
     : explain_([](const SeedView& seed, const SeedUpdateView& update, const Snapshot& searched, const RunInfo& info,
                   const Snapshot* later) { return explainSearch(seed, update, searched, info, later); }) {}
@@ -26,7 +53,8 @@ const SearchDetail* SearchCache::find(const Runner& runner, const SeedView& seed
     return nullptr;
   }
   ++computed_;
-  const SnapshotPtr later = runner.at(published);  // knows a keyframe made after the searched frame
+  // Knows a keyframe made after the searched frame.
+  const SnapshotPtr later = withKeyframeImage(runner, seed.keyframe_id, *searched, runner.at(published));
   const Result<SearchDetail> result = explain_(seed, update, *searched, runner.info(), later.get());
   if (result.ok()) detail_ = result.value();
   else problem_ = result.error().message();

@@ -42,7 +42,7 @@ void SeedTraces::update(const Runner& runner, const std::vector<std::int64_t>& i
     Entry& e = entries_[id];
     e.trace.id = id;
     for (e.next = std::max(e.next, first); e.next <= latest->record.index; ++e.next) {
-      if (const SnapshotPtr s = runner.at(e.next)) add(e.trace, *s);
+      if (const SnapshotPtr s = runner.valuesAt(e.next)) add(e.trace, *s);
     }
   }
 }

@@ -54,7 +54,7 @@ void SelectionHistory::update(const Runner& runner, const Selection& selection,
   if (!selection_ || !latest) return;
   next_ = std::max(next_, runner.status().history_first);
   for (; next_ <= latest->record.index; ++next_) {
-    if (const SnapshotPtr s = runner.at(next_)) add(*s);
+    if (const SnapshotPtr s = runner.valuesAt(next_)) add(*s);
   }
 }
 

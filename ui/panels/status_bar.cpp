@@ -38,8 +38,12 @@ std::string engineText(const PanelContext& c) {
   // Of the time that the engine itself takes, not of how often it is asked for a frame.
   std::string text = c.status.fps > 0 ? format("engine %.1f fps   ", c.status.fps) : std::string();
   if (c.status.mapping_queue > 0) text += format("queue %d   ", c.status.mapping_queue);
-  text += format("history %.0f of %.0f MB", static_cast<double>(c.status.history_bytes) * mb,
-                 static_cast<double>(c.status.history_budget) * mb);
+  if (c.status.recorded) {
+    text += "recording";
+  } else {
+    text += format("history %.0f of %.0f MB", static_cast<double>(c.status.history_bytes) * mb,
+                   static_cast<double>(c.status.history_budget) * mb);
+  }
   if (!c.size_text.empty()) text += "   " + c.size_text;
   return text;
 }

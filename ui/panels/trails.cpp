@@ -32,7 +32,7 @@ const std::vector<std::vector<Vec2f>>& Trails::update(const Runner& runner, cons
     trails_[i].push_back(shown.features[i].px);
   }
   for (int back = 1; back <= frames && !alive.empty(); ++back) {
-    const SnapshotPtr s = runner.at(shown.record.index - back);
+    const SnapshotPtr s = runner.valuesAt(shown.record.index - back);
     if (!s) break;
     std::unordered_map<std::uint64_t, std::size_t> still;
     for (const FeatureView& f : s->features) {

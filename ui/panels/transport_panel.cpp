@@ -13,7 +13,8 @@ namespace svoscope::ui {
 namespace {
 
 const char* whyNoForward(const PanelContext& c) {
-  return c.status.finished && c.live() ? "The last frame was processed, reset to run again" : nullptr;
+  if (!c.status.finished || !c.live()) return nullptr;
+  return c.status.recorded ? "The recording ends here, go back to play it" : "The last frame was processed, reset to run again";
 }
 
 const char* whyNoBack(const PanelContext& c) {
@@ -52,7 +53,7 @@ void playButtons(PanelContext& c) {
 }
 
 void runButtons(PanelContext& c) {
-  const ControlHint none{nullptr, c.status.finished ? whyNoForward(c) : nullptr};
+  const ControlHint none{nullptr, whyNoForward(c)};
   const auto item = [&](const char* label, const char* hint, Command::Kind kind) {
     sameLineIfFits(buttonWidth(label));
     if (button(label, {hint, none.disabled_because})) c.send(kind);
@@ -86,7 +87,9 @@ void speedControl(PanelContext& c) {
     c.runner.send(command);
   }
   sameLineIfFits(buttonWidth("Reset"));
-  if (button("Reset", {"Start again at the first frame with an empty map",
+  const char* reset_hint = c.status.recorded ? "Play the recording from its first frame again"
+                                             : "Start again at the first frame with an empty map";
+  if (button("Reset", {reset_hint,
                        c.latest ? nullptr : "No frame was processed yet"})) {
     c.send(Command::Kind::reset);
   }
@@ -107,8 +110,9 @@ void position(PanelContext& c) {
     return;
   }
   const std::string text =
-      format("Viewing frame %d, engine at %d", c.viewedFrame(), c.engineFrame());
-  const float width = ImGui::CalcTextSize(text.c_str()).x + grid(6) + buttonWidth("Back to live");
+      format("Viewing frame %d, %s at %d", c.viewedFrame(), c.status.recorded ? "played" : "engine", c.engineFrame());
+  const char* back = c.status.recorded ? "Back to the end" : "Back to live";
+  const float width = ImGui::CalcTextSize(text.c_str()).x + grid(6) + buttonWidth(back);
   sameLineIfFits(width);
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -121,7 +125,7 @@ void position(PanelContext& c) {
   ImGui::PopStyleColor();
   Probe::record("viewing older frame", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   ImGui::SameLine(0, grid(2));
-  if (button("Back to live", {"Show the newest frame again (End)"}, true)) c.view(-1);
+  if (button(back, {"Show the newest frame again (End)"}, true)) c.view(-1);
 }
 
 }  // namespace
@@ -142,7 +146,7 @@ void drawTransportPanel(PanelContext& c) {
   spec.height = std::max(grid(16), ImGui::GetContentRegionAvail().y);
   const auto target = timeline("Timeline", spec);
   if (target && c.latest) {
-    c.view(std::clamp(*target, std::min(c.status.history_first, c.engineFrame()), c.engineFrame()));
+    c.view(std::clamp(*target, std::min(c.status.history_first, c.lastFrame()), c.lastFrame()));
   }
 }
 
