@@ -22,16 +22,18 @@ std::string row(const RunMetrics& run) {
   }
   const StageTime& tracking = run.time_ms[static_cast<std::size_t>(Stage::tracking)];
   return fmt::format("{:<8}{:>10}{:>7}{:>11}{:>8}{:>11}{:>10}{:>10}{:>13}{:>10}\n", run.method,
-                     orDash(percent, "{:.1f} %"), orDash(run.init_frame, "{}"), run.keyframes, run.losses,
-                     orDash(ate, "{:.4f}"), orDash(rpe_m, "{:.4f}"), orDash(rpe_deg, "{:.3f}"),
-                     fmt::format("{:.2f}", tracking.median_ms), fmt::format("{:.1f}", run.fps));
+                     orDash(percent, "{:.1f} %"), orDash(run.init_frame, "{}"), run.keyframes,
+                     run.losses, orDash(ate, "{:.4f}"), orDash(rpe_m, "{:.4f}"),
+                     orDash(rpe_deg, "{:.3f}"), fmt::format("{:.2f}", tracking.median_ms),
+                     fmt::format("{:.1f}", run.fps));
 }
 
 }  // namespace
 
 std::string methodTable(const std::vector<RunMetrics>& runs) {
-  std::string text = fmt::format("{:<8}{:>10}{:>7}{:>11}{:>8}{:>11}{:>10}{:>10}{:>13}{:>10}\n", "method", "tracked",
-                                 "start", "keyframes", "losses", "ATE m", "RPE m", "RPE deg", "tracking ms", "frames/s");
+  std::string text = fmt::format("{:<8}{:>10}{:>7}{:>11}{:>8}{:>11}{:>10}{:>10}{:>13}{:>10}\n",
+                                 "method", "tracked", "start", "keyframes", "losses", "ATE m",
+                                 "RPE m", "RPE deg", "tracking ms", "frames/s");
   for (const RunMetrics& run : runs) text += row(run);
   return text;
 }

@@ -20,8 +20,10 @@ namespace {
 /// The one place where a recording becomes a run.
 Result<std::unique_ptr<Runner>> openRecording(const std::string& path) {
   std::error_code ec;
-  if (!std::filesystem::exists(path, ec)) return inputError("does not exist", path, "check the path");
-  if (!looksLikeRecording(path)) return inputError("is not a recording", path, "run --record writes run.svoscope");
+  if (!std::filesystem::exists(path, ec))
+    return inputError("does not exist", path, "check the path");
+  if (!looksLikeRecording(path))
+    return inputError("is not a recording", path, "run --record writes run.svoscope");
   return openRun(path, {});
 }
 
@@ -33,7 +35,8 @@ Result<FrameTimes> recordedTimes(const std::string& path) {
   to_end.kind = Command::Kind::run_to_frame;
   to_end.frame = std::numeric_limits<int>::max();
   runner.value()->send(to_end);
-  while (runner.value()->pump()) {}
+  while (runner.value()->pump()) {
+  }
   FrameTimes times;
   for (const FrameRecord& record : runner.value()->records(0)) {
     if (times.timestamps.empty()) times.first = record.index;
@@ -54,7 +57,8 @@ class Opener {
  public:
   Opener(const RunSettings& run, const CompareSettings& compare, const RunnerOptions& options)
       : run_(run), compare_(compare), options_(options) {
-    options_.history_budget /= std::max<std::size_t>(1, run.methods.size());  // recordings have a cache of their own
+    options_.history_budget /=
+        std::max<std::size_t>(1, run.methods.size());  // recordings have a cache of their own
   }
 
   /// SEQUENCE itself: a run per method, or a recording.
@@ -91,8 +95,9 @@ class Opener {
       auto runner = openRecording(path);
       if (!runner.ok()) return runner.error();
       if (runner.value()->info().sequence != info().sequence) {
-        return inputError("it is a run of " + runner.value()->info().sequence + ", not of " + info().sequence,
-                          path, "runs are compared on one sequence");
+        return inputError(
+            "it is a run of " + runner.value()->info().sequence + ", not of " + info().sequence,
+            path, "runs are compared on one sequence");
       }
       add(std::move(runner).value(), label, false);
     }
@@ -115,7 +120,8 @@ class Opener {
   }
 
   std::unique_ptr<Runner> finish() {
-    const auto drive = options_.threaded ? LockstepRunner::Drive::by_thread : LockstepRunner::Drive::by_pump;
+    const auto drive =
+        options_.threaded ? LockstepRunner::Drive::by_thread : LockstepRunner::Drive::by_pump;
     return std::make_unique<LockstepRunner>(std::move(members_), drive);
   }
 
@@ -142,7 +148,9 @@ class Opener {
 }  // namespace
 
 void CompareSettings::addTo(CLI::App& command) {
-  command.add_option("--with", recordings, "A recording of the same sequence as one more run; repeatable")
+  command
+      .add_option("--with", recordings,
+                  "A recording of the same sequence as one more run; repeatable")
       ->allow_extra_args(false)
       ->type_name("RUN[=LABEL]");
   command
@@ -162,7 +170,8 @@ std::pair<std::string, std::string> splitLabel(const std::string& argument) {
 
 Result<std::unique_ptr<Runner>> openRuns(const RunSettings& run, const CompareSettings& compare,
                                          const RunnerOptions& options) {
-  const bool alone = run.methods.size() == 1 && compare.recordings.empty() && compare.trajectories.empty();
+  const bool alone =
+      run.methods.size() == 1 && compare.recordings.empty() && compare.trajectories.empty();
   if (alone) return run.open(options);
   Opener opener(run, compare, options);
   Status status = opener.first();

@@ -14,7 +14,9 @@ namespace svoscope::ui {
 
 namespace {
 
-bool isSvg(const ExportRequest& request) { return std::filesystem::path(request.file).extension() == ".svg"; }
+bool isSvg(const ExportRequest& request) {
+  return std::filesystem::path(request.file).extension() == ".svg";
+}
 
 bool item(const char* label) {
   const bool chosen = ImGui::MenuItem(label);
@@ -25,7 +27,8 @@ bool item(const char* label) {
 }  // namespace
 
 /// Notes what the panel draws if it is to be saved as SVG.
-void Inspector::drawExporting(PanelContext& context, const std::string& panel, void (*draw_panel)(PanelContext&)) {
+void Inspector::drawExporting(PanelContext& context, const std::string& panel,
+                              void (*draw_panel)(PanelContext&)) {
   const auto& request = state_.export_request;
   if (!request || request->panel != panel || !isSvg(*request)) return draw_panel(context);
   const ExportRequest wanted = *std::exchange(state_.export_request, std::nullopt);
@@ -35,9 +38,10 @@ void Inspector::drawExporting(PanelContext& context, const std::string& panel, v
     draw_panel(context);
     if (!figure.empty()) svg = figure.svg(ink::panel);
   }
-  const Status written = svg.empty() ? Status(usageError("the panel " + panel + " shows no chart yet", panel,
-                                                         "the panel says what it needs"))
-                                     : writeExport(wanted.file, svg);
+  const Status written = svg.empty()
+                             ? Status(usageError("the panel " + panel + " shows no chart yet",
+                                                 panel, "the panel says what it needs"))
+                             : writeExport(wanted.file, svg);
   reportExport(wanted, written);
 }
 
@@ -49,8 +53,10 @@ void Inspector::finishExport(PanelContext& context) {
   Status written = Done{};
   if (isSvg(request)) {
     written = exportsCharts(request.panel)
-                  ? usageError("the panel " + request.panel + " is not on screen", request.panel, "show it first")
-                  : usageError("the panel " + request.panel + " has no charts", request.panel, "export it as .png");
+                  ? usageError("the panel " + request.panel + " is not on screen", request.panel,
+                               "show it first")
+                  : usageError("the panel " + request.panel + " has no charts", request.panel,
+                               "export it as .png");
   } else {
     const Result<std::string> text = panelCsv(context, request.panel);
     written = text.ok() ? writeExport(request.file, text.value()) : Status(text.error());
@@ -74,14 +80,17 @@ void Inspector::drawExportMenu(PanelContext& context) {
   if (ImGui::BeginPopup("##export_menu")) {
     const std::string& panel = state_.export_menu;
     const auto file = [&](const char* extension) {
-      return (std::filesystem::path(state_.output_folder) / exportName(context, panel, extension)).string();
+      return (std::filesystem::path(state_.output_folder) / exportName(context, panel, extension))
+          .string();
     };
-    if (item("Numbers, CSV")) state_.export_request = ExportRequest{panel, file(".csv"), false, true};
+    if (item("Numbers, CSV"))
+      state_.export_request = ExportRequest{panel, file(".csv"), false, true};
     if (item("Picture, PNG")) {
       state_.picture_request = ExportRequest{panel, file(".png"), false, true};
       state_.picture_delay = 3;
     }
-    if (exportsCharts(panel) && item("Charts, SVG")) state_.export_request = ExportRequest{panel, file(".svg"), false, true};
+    if (exportsCharts(panel) && item("Charts, SVG"))
+      state_.export_request = ExportRequest{panel, file(".svg"), false, true};
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

@@ -16,7 +16,9 @@ Dash methodDash(const std::string& method) {
   return Dash::solid;
 }
 
-bool isMethod(const std::string& name) { return name == "svo" || name == "pl-svo" || name == "it-svo"; }
+bool isMethod(const std::string& name) {
+  return name == "svo" || name == "pl-svo" || name == "it-svo";
+}
 
 // The first run of a method has the method's looks, all others have their own.
 std::vector<RunStyle> stylesOf(const LockstepRunner& lockstep) {
@@ -66,7 +68,8 @@ std::optional<int> Runs::find(const std::string& name) const {
   for (int i = 0; i < size(); ++i) {
     if (style(i).name == name || style(i).label == name) return i;
   }
-  const bool number = !name.empty() && name.size() < 4 && name.find_first_not_of("0123456789") == std::string::npos;
+  const bool number =
+      !name.empty() && name.size() < 4 && name.find_first_not_of("0123456789") == std::string::npos;
   const int i = number ? std::atoi(name.c_str()) : -1;
   if (i < 0 || i >= size()) return std::nullopt;
   return i;

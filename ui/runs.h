@@ -16,8 +16,8 @@ namespace svoscope::ui {
 enum class Dash { solid, dashed, dotted };
 
 struct RunStyle {
-  std::string label;   ///< as shown: "PL-SVO", "orb"
-  std::string name;    ///< in scripts and files: "pl-svo", "orb"
+  std::string label;  ///< as shown: "PL-SVO", "orb"
+  std::string name;   ///< in scripts and files: "pl-svo", "orb"
   ImU32 color = 0;
   Dash dash = Dash::solid;
   bool poses_only = false;

@@ -69,6 +69,8 @@ class SharedSequence : public Sequence {
 SequenceSharer::SequenceSharer(std::unique_ptr<Sequence> sequence)
     : reader_(std::make_shared<SharedReader>(std::move(sequence))) {}
 
-std::unique_ptr<Sequence> SequenceSharer::make() const { return std::make_unique<SharedSequence>(reader_); }
+std::unique_ptr<Sequence> SequenceSharer::make() const {
+  return std::make_unique<SharedSequence>(reader_);
+}
 
 }  // namespace svoscope

@@ -11,8 +11,8 @@ namespace svoscope {
 
 class SharedReader;
 
-/// Makes sequences that share their images. Runs that are moved together ask for the same frames one
-/// after another, so that the last few suffice. Images are shared and must not be written to.
+/// Makes sequences that share their images. Runs that are moved together ask for the same frames
+/// one after another, so that the last few suffice. Images are shared and must not be written to.
 class SequenceSharer {
  public:
   explicit SequenceSharer(std::unique_ptr<Sequence> sequence);

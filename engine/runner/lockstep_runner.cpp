@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/runner/lockstep_view.h"
+
 namespace svoscope {
 
 namespace {
 
 constexpr auto kPoll = std::chrono::microseconds(300);  // for a frame of a run with threads
-constexpr double kGivenUpMs = 2000;  // at rest, though a frame was asked for
+constexpr double kGivenUpMs = 2000;                     // at rest, though a frame was asked for
 
 Command commandOf(Command::Kind kind, int frame = -1, const std::string& value = "") {
   Command command;
@@ -21,55 +23,11 @@ Command commandOf(Command::Kind kind, int frame = -1, const std::string& value =
 
 }  // namespace
 
-/// A run as far as all others are: what it has beyond the common frame is not there yet.
-class LockstepRunner::View : public Runner {
- public:
-  View(const Runner& run, const std::atomic<int>& frame) : run_(run), frame_(frame) {}
-
-  void send(const Command&) override {}  // commands go to all, see LockstepRunner::send
-  bool pump() override { return false; }
-  const RunInfo& info() const override { return run_.info(); }
-  RunnerStatus status() const override {
-    RunnerStatus status = run_.status();
-    status.next_frame = std::min(status.next_frame, frame_ + 1);
-    status.recorded = false;  // it goes where all go
-    return status;
-  }
-  SnapshotPtr latest() const override {
-    if (SnapshotPtr common = run_.at(frame_)) return common;
-    SnapshotPtr newest = run_.latest();
-    return newest && newest->record.index <= frame_ ? newest : nullptr;
-  }
-  SnapshotPtr at(int frame_index) const override {
-    return frame_index <= frame_ ? run_.at(frame_index) : nullptr;
-  }
-  SnapshotPtr valuesAt(int frame_index) const override {
-    return frame_index <= frame_ ? run_.valuesAt(frame_index) : nullptr;
-  }
-  std::vector<FrameRecord> records(int first) const override {
-    std::vector<FrameRecord> rows = run_.records(first);
-    while (!rows.empty() && rows.back().index > frame_) rows.pop_back();
-    return rows;
-  }
-  std::vector<Event> events(int first) const override {
-    std::vector<Event> events = run_.events(first);
-    if (run_.status().next_frame <= frame_ + 1) return events;
-    while (!events.empty() && events.back().frame_index > frame_) events.pop_back();
-    return events;
-  }
-  std::vector<ParameterView> parameters() const override { return run_.parameters(); }
-  int generation() const override { return run_.generation(); }
-
- private:
-  const Runner& run_;
-  const std::atomic<int>& frame_;
-};
-
 LockstepRunner::LockstepRunner(std::vector<LockstepMember> members, Drive drive) {
   for (LockstepMember& given : members) {
     Member member;
     static_cast<LockstepMember&>(member) = std::move(given);
-    member.view = std::make_unique<View>(*member.runner, frame_);
+    member.view = std::make_unique<LockstepView>(*member.runner, frame_);
     // Paced here. As fast as possible means to a run with threads that no measurement is dropped.
     member.runner->send(commandOf(Command::Kind::set_speed, -1, "0"));
     members_.push_back(std::move(member));
@@ -205,7 +163,8 @@ bool LockstepRunner::due() {
   if (playback_.speed() <= 0) return true;
   const auto now = std::chrono::steady_clock::now();
   if (now < next_time_) return false;
-  const auto interval = std::chrono::microseconds(static_cast<std::int64_t>(1e6 / playback_.speed()));
+  const auto interval =
+      std::chrono::microseconds(static_cast<std::int64_t>(1e6 / playback_.speed()));
   next_time_ = std::max(next_time_, now - interval) + interval;
   return true;
 }
@@ -239,7 +198,8 @@ void LockstepRunner::endFrame() {
     for (const FrameRecord& row : m.runner->records(m.rows_seen)) {
       ++m.rows_seen;
       if (i == current_) {
-        started = m.state == TrackingState::initializing && row.state != TrackingState::initializing;
+        started =
+            m.state == TrackingState::initializing && row.state != TrackingState::initializing;
         if (row.index == target_) goal = row;
       }
       m.state = row.state;
@@ -306,8 +266,10 @@ void LockstepRunner::loop() {
     std::unique_lock<std::mutex> lock(mutex_);
     if (stop_) return;
     if (worked || !commands_.empty()) continue;
-    if (atRest()) wake_.wait(lock, [this] { return stop_ || !commands_.empty(); });
-    else wake_.wait_until(lock, std::max(next_time_, std::chrono::steady_clock::now() + kPoll));
+    if (atRest())
+      wake_.wait(lock, [this] { return stop_ || !commands_.empty(); });
+    else
+      wake_.wait_until(lock, std::max(next_time_, std::chrono::steady_clock::now() + kPoll));
   }
 }
 

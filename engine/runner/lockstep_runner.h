@@ -19,6 +19,8 @@
 
 namespace svoscope {
 
+class LockstepView;
+
 struct LockstepMember {
   std::unique_ptr<Runner> runner;
   std::string label;        ///< unique, as shown and as named in scripts: "it-svo", "orb"
@@ -58,17 +60,20 @@ class LockstepRunner : public Runner {
   RunnerStatus status() const override;
   SnapshotPtr latest() const override { return run(current_).latest(); }
   SnapshotPtr at(int frame_index) const override { return run(current_).at(frame_index); }
-  SnapshotPtr valuesAt(int frame_index) const override { return run(current_).valuesAt(frame_index); }
-  std::vector<FrameRecord> records(int first) const override { return run(current_).records(first); }
+  SnapshotPtr valuesAt(int frame_index) const override {
+    return run(current_).valuesAt(frame_index);
+  }
+  std::vector<FrameRecord> records(int first) const override {
+    return run(current_).records(first);
+  }
   std::vector<Event> events(int first) const override { return run(current_).events(first); }
   std::vector<ParameterView> parameters() const override { return run(current_).parameters(); }
   /// Of the set: increases when all runs were reset.
   int generation() const override { return generation_; }
 
  private:
-  class View;
   struct Member : LockstepMember {
-    std::unique_ptr<View> view;
+    std::unique_ptr<LockstepView> view;
     int rows_seen = 0;
     int generation_before = 0;  ///< the reset that is under way
     bool ended = false;         ///< it stopped by itself before the end
@@ -94,9 +99,9 @@ class LockstepRunner : public Runner {
 
   // Of whoever advances: pump() or the thread.
   Playback playback_;
-  int target_ = 0;          ///< frame being processed
-  int turn_ = -1;           ///< whose turn it is; -1: all have the same frame
-  bool asked_ = false;      ///< whose turn it is knows about it
+  int target_ = 0;      ///< frame being processed
+  int turn_ = -1;       ///< whose turn it is; -1: all have the same frame
+  bool asked_ = false;  ///< whose turn it is knows about it
   bool resetting_ = false;
   double idle_since_ms_ = 0;
   Stopwatch clock_;

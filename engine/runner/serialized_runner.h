@@ -11,7 +11,8 @@ namespace svoscope {
 
 class SerializedRunner : public Runner {
  public:
-  explicit SerializedRunner(std::unique_ptr<Runner> runner) : runner_(std::move(runner)), info_(runner_->info()) {}
+  explicit SerializedRunner(std::unique_ptr<Runner> runner)
+      : runner_(std::move(runner)), info_(runner_->info()) {}
 
   void send(const Command& command) override { locked(), runner_->send(command); }
   bool pump() override { return locked(), runner_->pump(); }
@@ -19,8 +20,12 @@ class SerializedRunner : public Runner {
   RunnerStatus status() const override { return locked(), runner_->status(); }
   SnapshotPtr latest() const override { return locked(), runner_->latest(); }
   SnapshotPtr at(int frame_index) const override { return locked(), runner_->at(frame_index); }
-  SnapshotPtr valuesAt(int frame_index) const override { return locked(), runner_->valuesAt(frame_index); }
-  std::vector<FrameRecord> records(int first) const override { return locked(), runner_->records(first); }
+  SnapshotPtr valuesAt(int frame_index) const override {
+    return locked(), runner_->valuesAt(frame_index);
+  }
+  std::vector<FrameRecord> records(int first) const override {
+    return locked(), runner_->records(first);
+  }
   std::vector<Event> events(int first) const override { return locked(), runner_->events(first); }
   std::vector<ParameterView> parameters() const override { return locked(), runner_->parameters(); }
   int generation() const override { return locked(), runner_->generation(); }

@@ -61,12 +61,15 @@ int placeByRow(const Trajectory& poses, const FrameTimes& frames, std::vector<Fr
 
 }  // namespace
 
-Result<std::unique_ptr<Runner>> TrajectoryRunner::make(const TrajectoryFile& file, const FrameTimes& frames,
-                                                       RunInfo info, const std::string& where) {
-  if (frames.timestamps.empty()) return inputError("the sequence has no frames", where, "check the sequence");
+Result<std::unique_ptr<Runner>> TrajectoryRunner::make(const TrajectoryFile& file,
+                                                       const FrameTimes& frames, RunInfo info,
+                                                       const std::string& where) {
+  if (frames.timestamps.empty())
+    return inputError("the sequence has no frames", where, "check the sequence");
   std::vector<FrameRecord> rows = emptyRows(frames);
   const bool by_row = file.format == TrajectoryFormat::kitti;
-  const int filled = by_row ? placeByRow(file.poses, frames, rows) : placeByTime(file.poses, frames, rows);
+  const int filled =
+      by_row ? placeByRow(file.poses, frames, rows) : placeByTime(file.poses, frames, rows);
   if (filled == 0) {
     return inputError("no pose belongs to a frame of the sequence", where,
                       by_row ? "it has fewer rows than frames lie before the first one"
@@ -76,7 +79,9 @@ Result<std::unique_ptr<Runner>> TrajectoryRunner::make(const TrajectoryFile& fil
 }
 
 TrajectoryRunner::TrajectoryRunner(std::vector<FrameRecord> rows, RunInfo info)
-    : rows_(std::move(rows)), info_(std::move(info)), log_(std::numeric_limits<std::size_t>::max()) {}
+    : rows_(std::move(rows)),
+      info_(std::move(info)),
+      log_(std::numeric_limits<std::size_t>::max()) {}
 
 bool TrajectoryRunner::pump() {
   while (!commands_.empty()) {

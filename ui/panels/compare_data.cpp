@@ -45,7 +45,9 @@ void takeRows(ComparedRun& out, const RunCache& rows) {
 }
 
 Alignment alignmentOf(AlignMode mode) {
-  return mode == AlignMode::none ? Alignment::none : mode == AlignMode::se3 ? Alignment::se3 : Alignment::sim3;
+  return mode == AlignMode::none  ? Alignment::none
+         : mode == AlignMode::se3 ? Alignment::se3
+                                  : Alignment::sim3;
 }
 
 bool usable(const FrameRecord& r) { return r.pose_good && r.T_world_cam.finite(); }
@@ -65,10 +67,13 @@ void fillPath(ComparedRun& out, const RunCache& rows, const Move& move) {
 
 int rowOf(const std::vector<float>& frames, int frame) {
   const auto at = std::lower_bound(frames.begin(), frames.end(), static_cast<float>(frame));
-  return at != frames.end() && static_cast<int>(*at) == frame ? static_cast<int>(at - frames.begin()) : -1;
+  return at != frames.end() && static_cast<int>(*at) == frame
+             ? static_cast<int>(at - frames.begin())
+             : -1;
 }
 
-void CompareData::update(const Runs& runs, const std::vector<CompareSource>& sources, AlignMode mode, bool settled) {
+void CompareData::update(const Runs& runs, const std::vector<CompareSource>& sources,
+                         AlignMode mode, bool settled) {
   Key key{runs.frame(), 0, runs.current(), mode};
   for (const CompareSource& s : sources) key.generations += s.rows->generation();
   const bool same = key.sameButFrame(key_) && runs_.size() == sources.size();
@@ -84,7 +89,8 @@ void CompareData::update(const Runs& runs, const std::vector<CompareSource>& sou
     ComparedRun& run = runs_[i];
     run.style = runs.style(static_cast<int>(i));
     takeRows(run, *sources[i].rows);
-    sources[i].truth->update(sources[i].rows->records(), truth, mode, sources[i].rows->generation(), true);
+    sources[i].truth->update(sources[i].rows->records(), truth, mode, sources[i].rows->generation(),
+                             true);
     run.truth = sources[i].truth->state();
     run.error = run.truth.error;
     run.error.resize(run.frames.size(), NAN);
@@ -94,21 +100,25 @@ void CompareData::update(const Runs& runs, const std::vector<CompareSource>& sou
       return Vec3(run.truth.scale * (run.truth.R * p) + run.truth.t);
     });
   }
-  if (metric_) toTruth(sources, truth, key.current);
-  else toCurrent(sources, key.current, mode);
+  if (metric_)
+    toTruth(sources, truth, key.current);
+  else
+    toCurrent(sources, key.current, mode);
   differences(key.current);
 }
 
 /// Turned so that down is where the current run, or the first that has a path, has it: ground truth
 /// may have its axes anywhere.
-void CompareData::toTruth(const std::vector<CompareSource>& sources, const Trajectory& truth, int current) {
+void CompareData::toTruth(const std::vector<CompareSource>& sources, const Trajectory& truth,
+                          int current) {
   const ComparedRun* reference = nullptr;
   double until = -1;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     ComparedRun& run = runs_[i];
     if (run.aligned && (!reference || static_cast<int>(i) == current)) reference = &run;
     if (!run.aligned && run.metrics.tracked > 0) {
-      run.problem = run.truth.problem.empty() ? "needs three poses with ground truth" : run.truth.problem;
+      run.problem =
+          run.truth.problem.empty() ? "needs three poses with ground truth" : run.truth.problem;
     }
     const auto& records = sources[i].rows->records();
     if (!records.empty()) until = std::max(until, records.back().timestamp);
@@ -127,7 +137,8 @@ void CompareData::toTruth(const std::vector<CompareSource>& sources, const Traje
 }
 
 /// Without ground truth: every run onto the current one, by the frames that both have.
-void CompareData::toCurrent(const std::vector<CompareSource>& sources, int current, AlignMode mode) {
+void CompareData::toCurrent(const std::vector<CompareSource>& sources, int current,
+                            AlignMode mode) {
   const RunCache& onto = *sources[static_cast<std::size_t>(current)].rows;
   fillPath(runs_[static_cast<std::size_t>(current)], onto, [](const Vec3& p) { return p; });
   for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -140,8 +151,10 @@ void CompareData::toCurrent(const std::vector<CompareSource>& sources, int curre
       to.push_back(other->T_world_cam.translation());
     }
     const auto T = alignPoints(from, to, alignmentOf(mode));
-    if (T.ok()) fillPath(runs_[i], *sources[i].rows, [&](const Vec3& p) { return T.value() * p; });
-    else if (runs_[i].metrics.tracked > 0) runs_[i].problem = T.error().what;
+    if (T.ok())
+      fillPath(runs_[i], *sources[i].rows, [&](const Vec3& p) { return T.value() * p; });
+    else if (runs_[i].metrics.tracked > 0)
+      runs_[i].problem = T.error().what;
   }
 }
 
@@ -152,7 +165,8 @@ void CompareData::differences(int current) {
     if (&run == &onto) continue;
     for (std::size_t i = 0; i < run.frames.size(); ++i) {
       const int row = rowOf(onto.frames, static_cast<int>(run.frames[i]));
-      if (row >= 0) run.difference[i] = (run.path[i] - onto.path[static_cast<std::size_t>(row)]).norm();
+      if (row >= 0)
+        run.difference[i] = (run.path[i] - onto.path[static_cast<std::size_t>(row)]).norm();
     }
   }
 }

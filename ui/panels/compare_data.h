@@ -16,16 +16,16 @@ namespace svoscope::ui {
 
 struct ComparedRun {
   RunStyle style;
-  RunMetrics metrics;              ///< of the rows so far; without map and fps
-  TruthState truth;                ///< against ground truth; not valid without
-  std::vector<float> frames;       ///< index of each row: x of the columns below
-  std::vector<Vec3f> path;         ///< position per row in the common frame; NaN if unknown
-  std::vector<float> error;        ///< distance from ground truth, m; NaN if unknown
-  std::vector<float> difference;   ///< distance from the current run's position; NaN if unknown
+  RunMetrics metrics;             ///< of the rows so far; without map and fps
+  TruthState truth;               ///< against ground truth; not valid without
+  std::vector<float> frames;      ///< index of each row: x of the columns below
+  std::vector<Vec3f> path;        ///< position per row in the common frame; NaN if unknown
+  std::vector<float> error;       ///< distance from ground truth, m; NaN if unknown
+  std::vector<float> difference;  ///< distance from the current run's position; NaN if unknown
   std::vector<float> inliers, time_ms;  ///< NaN for trajectories
-  std::vector<int> losses;         ///< rows at which tracking was lost
-  bool aligned = false;            ///< path is known
-  std::string problem;             ///< why not, if there are poses
+  std::vector<int> losses;              ///< rows at which tracking was lost
+  bool aligned = false;                 ///< path is known
+  std::string problem;                  ///< why not, if there are poses
 };
 
 /// Rows and truth of a run, as the inspector keeps them.
@@ -37,7 +37,8 @@ struct CompareSource {
 class CompareData {
  public:
   /// Recomputes if anything changed; while frames keep coming (not `settled`), every tenth.
-  void update(const Runs& runs, const std::vector<CompareSource>& sources, AlignMode mode, bool settled);
+  void update(const Runs& runs, const std::vector<CompareSource>& sources, AlignMode mode,
+              bool settled);
 
   const std::vector<ComparedRun>& runs() const { return runs_; }
   /// Paths are in metres (aligned to ground truth); else in map units of the current run.

@@ -18,19 +18,25 @@ void header(PanelContext& c, const CompareData& data) {
     ImGui::TableNextColumn();
     legendEntry(style.color, swatchOf(style.dash), style.label.c_str());
     const bool current = static_cast<int>(i) == c.runs.current();
-    tooltip(style.poses_only ? "Trajectory of another system" : current ? "The current run" : "Click to make it the current run");
-    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0) && !style.poses_only) c.state.run_request = static_cast<int>(i);
+    tooltip(style.poses_only ? "Trajectory of another system"
+            : current        ? "The current run"
+                             : "Click to make it the current run");
+    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0) && !style.poses_only)
+      c.state.run_request = static_cast<int>(i);
   }
 }
 
 void stateRow(PanelContext& c) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (c.viewedFrame() < 0) ImGui::TextDisabled("No frame yet");
-  else ImGui::TextDisabled("Frame %d", c.viewedFrame());
+  if (c.viewedFrame() < 0)
+    ImGui::TextDisabled("No frame yet");
+  else
+    ImGui::TextDisabled("Frame %d", c.viewedFrame());
   for (int i = 0; i < c.runs.size(); ++i) {
     ImGui::TableNextColumn();
-    const FrameRecord* record = c.all_caches[static_cast<std::size_t>(i)]->run.find(c.viewedFrame());
+    const FrameRecord* record =
+        c.all_caches[static_cast<std::size_t>(i)]->run.find(c.viewedFrame());
     if (!record) {
       ImGui::TextDisabled("–");
     } else if (c.runs.style(i).poses_only) {
@@ -51,8 +57,11 @@ void metricTable(PanelContext& c, const CompareData& data) {
     tooltip(row.hint.c_str());
     for (std::size_t i = 0; i < row.values.size(); ++i) {
       ImGui::TableNextColumn();
-      const bool best = row.best >= 0 && row.values[i] == row.values[static_cast<std::size_t>(row.best)];
-      ImGui::PushStyleColor(ImGuiCol_Text, toVec4(best ? ink::selected : row.values[i] == "–" ? ink::faint : ink::dim));
+      const bool best =
+          row.best >= 0 && row.values[i] == row.values[static_cast<std::size_t>(row.best)];
+      ImGui::PushStyleColor(ImGuiCol_Text, toVec4(best                   ? ink::selected
+                                                  : row.values[i] == "–" ? ink::faint
+                                                                         : ink::dim));
       ImGui::TextUnformatted(row.values[i].c_str());
       ImGui::PopStyleColor();
       if (!best) continue;  // underlined: brightness alone is easily missed
@@ -65,7 +74,9 @@ void metricTable(PanelContext& c, const CompareData& data) {
 }  // namespace
 
 Swatch swatchOf(Dash dash) {
-  return dash == Dash::solid ? Swatch::line : dash == Dash::dashed ? Swatch::dashed : Swatch::dotted;
+  return dash == Dash::solid    ? Swatch::line
+         : dash == Dash::dashed ? Swatch::dashed
+                                : Swatch::dotted;
 }
 
 void updateComparison(PanelContext& c) {
@@ -80,7 +91,8 @@ bool comparing(PanelContext& c) {
     return true;
   }
   emptyState("Only one run is open",
-             "Open several on this sequence with --method all, or add --with RECORDING or --trajectory FILE");
+             "Open several on this sequence with --method all, or add --with RECORDING or "
+             "--trajectory FILE");
   return false;
 }
 
@@ -88,8 +100,10 @@ std::string runStateText(const RunStyle& style, const FrameRecord* record) {
   if (!record) return "no such frame";
   if (style.poses_only) return record->pose_good ? "pose" : "no pose";
   std::string text = stateLabel(record->state);
-  if (record->state == TrackingState::tracking) return text + format(", %d inliers", record->funnel.inliers);
-  if (!record->reason.empty() && record->reason != stateName(record->state)) text += ": " + record->reason;
+  if (record->state == TrackingState::tracking)
+    return text + format(", %d inliers", record->funnel.inliers);
+  if (!record->reason.empty() && record->reason != stateName(record->state))
+    text += ": " + record->reason;
   return text;
 }
 
@@ -101,7 +115,8 @@ void runTitle(PanelContext&, const RunStyle& style, const FrameRecord* record) {
   const std::string text = runStateText(style, record);
   std::string shown = text;
   const float room = ImGui::GetContentRegionAvail().x;
-  if (const auto comma = text.find(", "); comma != std::string::npos && ImGui::CalcTextSize(text.c_str()).x > room) {
+  if (const auto comma = text.find(", ");
+      comma != std::string::npos && ImGui::CalcTextSize(text.c_str()).x > room) {
     shown = text.substr(comma + 2);  // that it tracks is plain from the number
   }
   ImGui::TextUnformatted(shown.c_str());
@@ -114,8 +129,9 @@ void drawCompareMetricsPanel(PanelContext& c) {
   const CompareData& data = c.compare;
   const int columns = static_cast<int>(data.runs().size()) + 1;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {grid(1), grid(0.5f)});
-  const ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings |
-                                ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
+  const ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp |
+                                ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg |
+                                ImGuiTableFlags_BordersInnerV;
   if (ImGui::BeginTable("##metrics", columns, flags)) {
     header(c, data);
     stateRow(c);

@@ -32,7 +32,8 @@ std::vector<PlotMark> lossMarks(const CompareData& data) {
   int cross = 0;  // a row for each run: losses of the same frame stay apart
   for (const ComparedRun& run : data.runs()) {
     for (const int row : run.losses) {
-      marks.push_back({run.frames[static_cast<std::size_t>(row)], run.style.color, run.style.label + " lost", cross});
+      marks.push_back({run.frames[static_cast<std::size_t>(row)], run.style.color,
+                       run.style.label + " lost", cross});
     }
     cross += !run.losses.empty();
   }
@@ -43,7 +44,9 @@ PlotSpec specOf(PanelContext& c, const CompareData& data, const Quantity& q) {
   PlotSpec spec;
   spec.id = q.id;
   const std::string current = c.runs.style(c.runs.current()).label;
-  spec.y_label = *q.label ? q.label : format("Distance from %s, %s", current.c_str(), data.metric() ? "m" : "map units");
+  spec.y_label =
+      *q.label ? q.label
+               : format("Distance from %s, %s", current.c_str(), data.metric() ? "m" : "map units");
   spec.zero_based = true;
   spec.cursor = c.viewedFrame();
   for (const ComparedRun& run : data.runs()) {
@@ -75,7 +78,8 @@ void drawComparePlotsPanel(PanelContext& c) {
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
   const float room = ImGui::GetContentRegionAvail().y - spacing * static_cast<float>(specs.size());
-  const float height = std::max(ImGui::GetFontSize() * 4.8f, room / static_cast<float>(specs.size()));
+  const float height =
+      std::max(ImGui::GetFontSize() * 4.8f, room / static_cast<float>(specs.size()));
   for (std::size_t i = 0; i < specs.size(); ++i) {
     PlotSpec& spec = specs[i];
     spec.size = {0, std::floor(height)};

@@ -47,8 +47,8 @@ void CompareScene::measure(const CompareData& data) {
       for (const Vec3f& p : run.path) add(p);
     }
   }
-  empty_ = lo.x() > hi.x() ||
-           std::none_of(data.runs().begin(), data.runs().end(), [](const ComparedRun& r) { return r.aligned; });
+  empty_ = lo.x() > hi.x() || std::none_of(data.runs().begin(), data.runs().end(),
+                                           [](const ComparedRun& r) { return r.aligned; });
   if (empty_) return;
   center_ = ((lo + hi) / 2).cast<double>();
   radius_ = std::max(1e-3, 0.5 * (hi - lo).cast<double>().norm());
@@ -58,7 +58,8 @@ void CompareScene::measure(const CompareData& data) {
 
 void CompareScene::addGrid() {
   const int n = static_cast<int>(std::ceil(radius_ / cell_)) + 1;
-  const double cx = std::round(center_.x() / cell_) * cell_, cz = std::round(center_.z() / cell_) * cell_;
+  const double cx = std::round(center_.x() / cell_) * cell_,
+               cz = std::round(center_.z() / cell_) * cell_;
   const auto at = [&](double x, double z) { return Vec3(x, floor_, z).cast<float>().eval(); };
   for (int i = -n; i <= n; ++i) {
     const ImU32 color = i == 0 ? IM_COL32(58, 65, 76, 255) : IM_COL32(34, 38, 46, 255);
@@ -69,7 +70,8 @@ void CompareScene::addGrid() {
   }
 }
 
-void CompareScene::piece(const Vec3f& a, const Vec3f& b, ImU32 color, Dash dash, double& travelled) {
+void CompareScene::piece(const Vec3f& a, const Vec3f& b, ImU32 color, Dash dash,
+                         double& travelled) {
   const double length = (b - a).norm(), unit = (dash == Dash::dotted ? kDot : kDash) * radius_;
   const bool drawn = dash == Dash::solid || std::fmod(travelled / unit, 2.0) < 1.2;
   travelled += length;

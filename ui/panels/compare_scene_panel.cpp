@@ -47,27 +47,33 @@ void marks(const CompareScene& scene, const SceneCamera& camera) {
   }
 }
 
-void labels(PanelContext& c, const CompareData& data, const CompareScene& scene, const SceneArea& area) {
+void labels(PanelContext& c, const CompareData& data, const CompareScene& scene,
+            const SceneArea& area) {
   ImVec2 at{area.lo.x + grid(2), area.lo.y + grid(1)};
   const float lines = static_cast<float>(data.runs().size() + 3);
   if (area.hi.y - area.lo.y > lines * (ImGui::GetTextLineHeight() + grid(0.5f))) {
     for (const ComparedRun& run : data.runs()) {
-      const std::string why = run.aligned           ? ""
+      const std::string why = run.aligned            ? ""
                               : !run.problem.empty() ? ": " + run.problem
                                                      : ": no pose yet";
       sceneLegend(at, swatchOf(run.style.dash), run.style.color, run.style.label + why);
     }
-    if (!data.truthPath().empty()) sceneLegend(at, Swatch::dashed, ink::ground_truth, "Ground truth");
+    if (!data.truthPath().empty())
+      sceneLegend(at, Swatch::dashed, ink::ground_truth, "Ground truth");
     if (!scene.losses().empty()) sceneLegend(at, Swatch::cross, ink::text, "Lost here");
   }
   const char* unit = data.metric() ? "m" : "map units";
-  std::string text = c.state.compare_scene.grid ? format("grid %.3g %s", scene.cell(), unit) : std::string();
+  std::string text =
+      c.state.compare_scene.grid ? format("grid %.3g %s", scene.cell(), unit) : std::string();
   const RunStyle& current = c.runs.style(c.runs.current());
-  const std::string onto = data.metric() ? format("aligned to ground truth, %s", alignModeName(static_cast<AlignMode>(c.state.align_mode)))
-                                         : "aligned to " + current.label;
+  const std::string onto = data.metric()
+                               ? format("aligned to ground truth, %s",
+                                        alignModeName(static_cast<AlignMode>(c.state.align_mode)))
+                               : "aligned to " + current.label;
   text = text.empty() ? onto : onto + ", " + text;
   outlinedText(ImGui::GetWindowDrawList(),
-               {area.hi.x - ImGui::CalcTextSize(text.c_str()).x - grid(2), area.hi.y - ImGui::GetTextLineHeight() - grid(1)},
+               {area.hi.x - ImGui::CalcTextSize(text.c_str()).x - grid(2),
+                area.hi.y - ImGui::GetTextLineHeight() - grid(1)},
                ink::dim, text.c_str());
 }
 
@@ -81,8 +87,9 @@ void drawCompareScenePanel(PanelContext& c) {
   CompareScene& scene = c.caches.compare_scene;
   scene.update(data, c.viewedFrame(), o.grid);
   if (scene.empty()) {
-    return emptyState("No path yet", c.info.ground_truth.empty() ? "Needs poses of the current run"
-                                                                 : "Needs three poses with ground truth");
+    return emptyState("No path yet", c.info.ground_truth.empty()
+                                         ? "Needs poses of the current run"
+                                         : "Needs three poses with ground truth");
   }
   if (!o.fitted) fitScene(o, scene.center(), scene.radius() * 1.15, sceneAspect());
   const SceneArea area = sceneArea("compare:view", o);

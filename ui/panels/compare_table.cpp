@@ -17,7 +17,7 @@ struct Metric {
   const char* name;
   const char* hint;
   const char* pattern;
-  int better;           ///< +1 more is better, -1 less is, 0 neither
+  int better;                  ///< +1 more is better, -1 less is, 0 neither
   bool needs_truth, of_poses;  ///< of_poses: defined for a trajectory, too
   std::function<std::optional<double>(const ComparedRun&)> value;
 };
@@ -44,16 +44,21 @@ const std::vector<Metric>& metrics() {
          if (!r.metrics.init_frame) return std::nullopt;
          return *r.metrics.init_frame;
        }},
-      {"Keyframes", "Taken so far", "%.0f", 0, false, false, [](R r) { return r.metrics.keyframes; }},
-      {"Losses", "How often tracking was lost", "%.0f", -1, false, false, [](R r) { return r.metrics.losses; }},
-      {"ATE RMSE, m", "Absolute trajectory error after alignment, frames so far", "%.4f", -1, true, true,
-       [](R r) { return whenValid(r, r.truth.ate_rmse); }},
+      {"Keyframes", "Taken so far", "%.0f", 0, false, false,
+       [](R r) { return r.metrics.keyframes; }},
+      {"Losses", "How often tracking was lost", "%.0f", -1, false, false,
+       [](R r) { return r.metrics.losses; }},
+      {"ATE RMSE, m", "Absolute trajectory error after alignment, frames so far", "%.4f", -1, true,
+       true, [](R r) { return whenValid(r, r.truth.ate_rmse); }},
       {"ATE max, m", "Largest distance from the ground truth", "%.4f", -1, true, true,
        [](R r) { return whenValid(r, r.truth.ate_max); }},
       {"RPE, m", "Relative translation error over 1 s, RMSE", "%.4f", -1, true, true,
        [](R r) { return r.truth.rpe_pairs > 0 ? whenValid(r, r.truth.rpe_trans) : std::nullopt; }},
       {"RPE, °", "Relative rotation error over 1 s, RMSE", "%.3f", -1, true, true,
-       [](R r) { return r.truth.rpe_pairs > 0 ? whenValid(r, r.truth.rpe_rot * 57.29577951308232) : std::nullopt; }},
+       [](R r) {
+         return r.truth.rpe_pairs > 0 ? whenValid(r, r.truth.rpe_rot * 57.29577951308232)
+                                      : std::nullopt;
+       }},
       {"Scale", "Metres per unit of the trajectory", "%.4f", 0, true, true,
        [](R r) { return whenValid(r, r.truth.scale); }},
       {"Matched poses", "Poses with ground truth within 20 ms", "%.0f", 0, true, true,
@@ -67,7 +72,8 @@ const std::vector<Metric>& metrics() {
 }
 
 /// Column of the best value; none unless there are two values that differ as shown.
-int bestOf(const std::vector<std::optional<double>>& values, const std::vector<std::string>& texts, int better) {
+int bestOf(const std::vector<std::optional<double>>& values, const std::vector<std::string>& texts,
+           int better) {
   int best = -1;
   bool differ = false;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -83,7 +89,9 @@ int bestOf(const std::vector<std::optional<double>>& values, const std::vector<s
   return better != 0 && differ ? best : -1;
 }
 
-std::string number(float value) { return std::isfinite(value) ? format("%g", value) : std::string(); }
+std::string number(float value) {
+  return std::isfinite(value) ? format("%g", value) : std::string();
+}
 
 std::string quoted(const std::string& text) {
   return text.find_first_of(",\"") == std::string::npos ? text : "\"" + text + "\"";
@@ -114,7 +122,8 @@ std::string metricsCsv(const CompareData& data, bool ground_truth) {
   text += "\n";
   for (const MetricRow& row : metricRows(data, ground_truth)) {
     text += quoted(row.name);
-    for (const std::string& value : row.values) text += "," + (value == kUndefined ? std::string() : value);
+    for (const std::string& value : row.values)
+      text += "," + (value == kUndefined ? std::string() : value);
     text += "\n";
   }
   return text;
@@ -124,7 +133,8 @@ std::string compareCsv(const CompareData& data) {
   std::string text = "frame";
   int first = 1 << 30, last = -1;
   for (const ComparedRun& run : data.runs()) {
-    for (const char* column : {"error_m", data.metric() ? "difference_m" : "difference", "inliers", "tracking_ms"}) {
+    for (const char* column :
+         {"error_m", data.metric() ? "difference_m" : "difference", "inliers", "tracking_ms"}) {
       text += "," + quoted(run.style.name + " " + column);
     }
     if (run.frames.empty()) continue;
@@ -150,8 +160,8 @@ std::string pathsCsv(const CompareData& data) {
   for (const ComparedRun& run : data.runs()) {
     for (std::size_t i = 0; i < run.path.size(); ++i) {
       if (!run.path[i].allFinite()) continue;
-      text += format("%.0f,%s,%.6g,%.6g,%.6g\n", run.frames[i], quoted(run.style.name).c_str(), run.path[i].x(),
-                     run.path[i].y(), run.path[i].z());
+      text += format("%.0f,%s,%.6g,%.6g,%.6g\n", run.frames[i], quoted(run.style.name).c_str(),
+                     run.path[i].x(), run.path[i].y(), run.path[i].z());
     }
   }
   return text;

@@ -26,8 +26,9 @@ std::string seedCsv(PanelContext& c) {
 std::string searchCsv(PanelContext& c) {
   const ViewedUpdate v = viewedUpdate(c);
   if (!v.trace || !v.update || !v.trace->last) return "";
-  const SearchDetail* d = c.caches.search.find(c.runner, *v.trace->last, *v.update, v.index,
-                                               v.trace->published[static_cast<std::size_t>(v.index)]);
+  const SearchDetail* d =
+      c.caches.search.find(c.runner, *v.trace->last, *v.update, v.index,
+                           v.trace->published[static_cast<std::size_t>(v.index)]);
   return d ? profileCsv(*d, v.update->seed_id, v.update->frame_index) : std::string();
 }
 
@@ -70,13 +71,17 @@ const std::map<std::string, Csv>& csvTable() {
   return table;
 }
 
-std::string number(double value) { return std::isfinite(value) ? format("%g", value) : std::string(); }
+std::string number(double value) {
+  return std::isfinite(value) ? format("%g", value) : std::string();
+}
 
 std::string slug(const std::string& panel) {
   std::string name;
   for (const char ch : panel) {
-    if (std::isalnum(static_cast<unsigned char>(ch))) name += static_cast<char>(std::tolower(static_cast<unsigned char>(ch)));
-    else if (!name.empty() && name.back() != '-') name += '-';
+    if (std::isalnum(static_cast<unsigned char>(ch)))
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(ch)));
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
   }
   return name;
 }
@@ -94,18 +99,22 @@ Result<std::string> panelCsv(PanelContext& c, const std::string& panel) {
   if (found == csvTable().end()) {
     std::string names;
     for (const auto& [name, unused] : csvTable()) names += (names.empty() ? "" : ", ") + name;
-    return usageError("the panel " + panel + " has no numbers to write", panel, "as CSV there are: " + names);
+    return usageError("the panel " + panel + " has no numbers to write", panel,
+                      "as CSV there are: " + names);
   }
   std::string text = found->second(c);
   if (!text.empty()) return text;
-  return usageError("the panel " + panel + " shows no numbers yet", panel, "the panel says what it needs");
+  return usageError("the panel " + panel + " shows no numbers yet", panel,
+                    "the panel says what it needs");
 }
 
-std::string exportName(const PanelContext& c, const std::string& panel, const std::string& extension) {
+std::string exportName(const PanelContext& c, const std::string& panel,
+                       const std::string& extension) {
   RunInfo info;
   info.sequence = c.info.sequence;
   info.method = panel.rfind("Compare", 0) == 0 ? "runs" : c.runs.style(c.runs.current()).name;
-  return runName(info) + "_" + slug(panel) + format("_%05d", std::max(0, c.viewedFrame())) + extension;
+  return runName(info) + "_" + slug(panel) + format("_%05d", std::max(0, c.viewedFrame())) +
+         extension;
 }
 
 Status writeExport(const std::filesystem::path& file, const std::string& text) {
@@ -118,7 +127,9 @@ std::string plotsCsv(PanelContext& c) {
   if (run.records().empty()) return "";
   const bool error = c.state.plot_groups.count("Error") > 0 && !c.info.ground_truth.empty();
   const auto& truth = c.caches.truth.state().error;
-  const auto shown = [&](std::size_t i) { return c.state.plot_groups.count(seriesTable()[i].group) > 0; };
+  const auto shown = [&](std::size_t i) {
+    return c.state.plot_groups.count(seriesTable()[i].group) > 0;
+  };
   std::string text = "frame,timestamp";
   for (std::size_t i = 0; i < seriesTable().size(); ++i) {
     if (shown(i)) text += std::string(",") + seriesTable()[i].group + ": " + seriesTable()[i].label;
@@ -154,7 +165,8 @@ std::string errorCsv(const PanelContext& c) {
   if (!truth.valid) return "";
   std::string text = "frame,timestamp,error_m\n";
   for (std::size_t i = 0; i < records.size() && i < truth.error.size(); ++i) {
-    text += format("%d,%.6f,", records[i].index, records[i].timestamp) + number(truth.error[i]) + "\n";
+    text +=
+        format("%d,%.6f,", records[i].index, records[i].timestamp) + number(truth.error[i]) + "\n";
   }
   return text;
 }

@@ -20,7 +20,8 @@ bool exportsNumbers(const std::string& panel);
 Result<std::string> panelCsv(PanelContext& context, const std::string& panel);
 
 /// "synthetic-room_it-svo_kl-js_00120.csv"; comparisons name the runs' sequence only.
-std::string exportName(const PanelContext& context, const std::string& panel, const std::string& extension);
+std::string exportName(const PanelContext& context, const std::string& panel,
+                       const std::string& extension);
 
 /// Makes the folder. Output error naming the file.
 Status writeExport(const std::filesystem::path& file, const std::string& text);

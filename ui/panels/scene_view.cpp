@@ -60,8 +60,10 @@ SceneArea sceneArea(const char* label, SceneOptions& options) {
 
 void sceneLegend(ImVec2& at, Swatch kind, ImU32 color, const std::string& text) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const float width = ImGui::CalcTextSize(text.c_str()).x, line = ImGui::GetTextLineHeight() + grid(0.5f);
-  list->AddRectFilled({at.x - grid(1), at.y}, {at.x + grid(5) + width, at.y + line}, IM_COL32(0, 0, 0, 110));
+  const float width = ImGui::CalcTextSize(text.c_str()).x,
+              line = ImGui::GetTextLineHeight() + grid(0.5f);
+  list->AddRectFilled({at.x - grid(1), at.y}, {at.x + grid(5) + width, at.y + line},
+                      IM_COL32(0, 0, 0, 110));
   drawSwatch(kind, {at.x + grid(1.5f), at.y + ImGui::GetTextLineHeight() / 2}, grid(1), color);
   list->AddText({at.x + grid(4), at.y}, ink::text, text.c_str());
   at.y += line;
@@ -85,8 +87,9 @@ void drawGizmo(const SceneCamera& camera) {
     const auto y = static_cast<float>(-a.direction.dot(camera.up));
     const ImVec2 e{o.x + x * r * 0.8f, o.y + y * r * 0.8f};
     list->AddLine(o, e, a.color, dp(2));
-    outlinedText(list, {e.x + x * grid(1.5f) - grid(0.75f), e.y + y * grid(1.5f) - ImGui::GetFontSize() / 2},
-                 a.color, a.name);
+    outlinedText(
+        list, {e.x + x * grid(1.5f) - grid(0.75f), e.y + y * grid(1.5f) - ImGui::GetFontSize() / 2},
+        a.color, a.name);
   }
 }
 

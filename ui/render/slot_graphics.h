@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Graphics whose slots are moved out of the way of others: each run has textures of its own, so that
-// equal version numbers of two runs are not taken for the same picture.
+// Graphics whose slots are moved out of the way of others: each run has textures of its own, so
+// that equal version numbers of two runs are not taken for the same picture.
 #pragma once
 
 #include "ui/render/graphics.h"
@@ -12,7 +12,8 @@ class SlotGraphics : public Graphics {
   explicit SlotGraphics(Graphics& graphics) : graphics_(graphics) {}
   void setFirstSlot(std::uint32_t first) { first_ = first; }
 
-  ImTextureID image(std::uint32_t slot, const cv::Mat& pixels, std::uint64_t version, bool smooth) override {
+  ImTextureID image(std::uint32_t slot, const cv::Mat& pixels, std::uint64_t version,
+                    bool smooth) override {
     return graphics_.image(first_ + slot, pixels, version, smooth);
   }
   ImTextureID scene(std::uint32_t slot, const Scene3& scene, int width, int height) override {

@@ -23,7 +23,8 @@ std::string paint(const char* what, ImU32 color) {
 
 std::string pointList(const ImVec2* points, int count) {
   std::string text;
-  for (int i = 0; i < count; ++i) text += format(i ? " %.5g,%.5g" : "%.5g,%.5g", points[i].x, points[i].y);
+  for (int i = 0; i < count; ++i)
+    text += format(i ? " %.5g,%.5g" : "%.5g,%.5g", points[i].x, points[i].y);
   return text;
 }
 
@@ -31,11 +32,20 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -64,27 +74,32 @@ void Figure::grow(ImVec2 p, float margin) {
   ImVec4 c{-1e30f, -1e30f, 1e30f, 1e30f};
   if (!clip_stack_.empty()) c = clip_stack_.back();
   if (!std::isfinite(p.x + p.y)) return;
-  lo_ = {std::min(lo_.x, std::clamp(p.x - margin, c.x, c.z)), std::min(lo_.y, std::clamp(p.y - margin, c.y, c.w))};
-  hi_ = {std::max(hi_.x, std::clamp(p.x + margin, c.x, c.z)), std::max(hi_.y, std::clamp(p.y + margin, c.y, c.w))};
+  lo_ = {std::min(lo_.x, std::clamp(p.x - margin, c.x, c.z)),
+         std::min(lo_.y, std::clamp(p.y - margin, c.y, c.w))};
+  hi_ = {std::max(hi_.x, std::clamp(p.x + margin, c.x, c.z)),
+         std::max(hi_.y, std::clamp(p.y + margin, c.y, c.w))};
 }
 
-void Figure::polyline(const ImVec2* points, int count, ImU32 color, float width, bool closed, float on,
-                      float off) {
+void Figure::polyline(const ImVec2* points, int count, ImU32 color, float width, bool closed,
+                      float on, float off) {
   for (int i = 0; i < count; ++i) grow(points[i], width / 2);
-  elements_ += format("<%s points=\"", closed ? "polygon" : "polyline") + pointList(points, count) + "\" fill=\"none\" " +
-               paint("stroke", color) + format(" stroke-width=\"%.3g\"", width) +
-               (off > 0 ? format(" stroke-dasharray=\"%.3g %.3g\"", on, off) : std::string()) + "/>\n";
+  elements_ +=
+      format("<%s points=\"", closed ? "polygon" : "polyline") + pointList(points, count) +
+      "\" fill=\"none\" " + paint("stroke", color) + format(" stroke-width=\"%.3g\"", width) +
+      (off > 0 ? format(" stroke-dasharray=\"%.3g %.3g\"", on, off) : std::string()) + "/>\n";
 }
 
 void Figure::polygon(const ImVec2* points, int count, ImU32 color) {
   for (int i = 0; i < count; ++i) grow(points[i], 0);
-  elements_ += "<polygon points=\"" + pointList(points, count) + "\" " + paint("fill", color) + "/>\n";
+  elements_ +=
+      "<polygon points=\"" + pointList(points, count) + "\" " + paint("fill", color) + "/>\n";
 }
 
 void Figure::circle(ImVec2 center, float radius, ImU32 color, float width) {
   grow(center, radius + width / 2);
   elements_ += format("<circle cx=\"%.5g\" cy=\"%.5g\" r=\"%.3g\" ", center.x, center.y, radius);
-  elements_ += width > 0 ? "fill=\"none\" " + paint("stroke", color) + format(" stroke-width=\"%.3g\"/>\n", width)
+  elements_ += width > 0 ? "fill=\"none\" " + paint("stroke", color) +
+                               format(" stroke-width=\"%.3g\"/>\n", width)
                          : paint("fill", color) + "/>\n";
 }
 
@@ -100,9 +115,10 @@ void Figure::text(ImVec2 at, ImU32 color, const char* text) {
       grow(at, 0);
       grow({at.x + width, at.y + size}, 0);
       // The length keeps the layout where another font stands in.
-      elements_ += format("<text x=\"%.5g\" y=\"%.5g\" textLength=\"%.5g\" ", at.x, at.y + 0.8f * size, width) +
-                   format("lengthAdjust=\"spacingAndGlyphs\" font-size=\"%.3g\" ", 0.86f * size) + paint("fill", color) +
-                   ">" + escaped(line) + "</text>\n";
+      elements_ += format("<text x=\"%.5g\" y=\"%.5g\" textLength=\"%.5g\" ", at.x,
+                          at.y + 0.8f * size, width) +
+                   format("lengthAdjust=\"spacingAndGlyphs\" font-size=\"%.3g\" ", 0.86f * size) +
+                   paint("fill", color) + ">" + escaped(line) + "</text>\n";
     }
     at.y += size;
   }
@@ -113,8 +129,10 @@ void Figure::image(ImVec2 lo, ImVec2 hi, const cv::Mat& pixels) {
   if (pixels.empty() || !cv::imencode(".png", pixels, png)) return;
   grow(lo, 0);
   grow(hi, 0);
-  elements_ += format("<image x=\"%.5g\" y=\"%.5g\" width=\"%.5g\" height=\"%.5g\" ", lo.x, lo.y, hi.x - lo.x, hi.y - lo.y) +
-               "preserveAspectRatio=\"none\" image-rendering=\"pixelated\" xlink:href=\"data:image/png;base64," +
+  elements_ += format("<image x=\"%.5g\" y=\"%.5g\" width=\"%.5g\" height=\"%.5g\" ", lo.x, lo.y,
+                      hi.x - lo.x, hi.y - lo.y) +
+               "preserveAspectRatio=\"none\" image-rendering=\"pixelated\" "
+               "xlink:href=\"data:image/png;base64," +
                base64(png) + "\"/>\n";
 }
 
@@ -122,8 +140,10 @@ void Figure::pushClip(ImVec2 lo, ImVec2 hi) {
   ImVec4 clip{lo.x, lo.y, std::max(lo.x, hi.x), std::max(lo.y, hi.y)};
   clip_stack_.push_back(clip);
   ++clip_count_;
-  clips_ += format("<clipPath id=\"c%d\"><rect x=\"%.5g\" y=\"%.5g\" width=\"%.5g\" height=\"%.5g\"/></clipPath>\n",
-                   clip_count_, clip.x, clip.y, clip.z - clip.x, clip.w - clip.y);
+  clips_ += format(
+      "<clipPath id=\"c%d\"><rect x=\"%.5g\" y=\"%.5g\" width=\"%.5g\" "
+      "height=\"%.5g\"/></clipPath>\n",
+      clip_count_, clip.x, clip.y, clip.z - clip.x, clip.w - clip.y);
   elements_ += format("<g clip-path=\"url(#c%d)\">\n", clip_count_);
 }
 
@@ -137,11 +157,15 @@ std::string Figure::svg(ImU32 background) const {
   const float margin = 4;
   const float x = std::floor(lo_.x - margin), y = std::floor(lo_.y - margin);
   const float width = std::ceil(hi_.x + margin) - x, height = std::ceil(hi_.y + margin) - y;
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-                     "xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" ";
-  text += format("width=\"%g\" height=\"%g\" viewBox=\"%g %g %g %g\" ", width, height, x, y, width, height);
-  text += "font-family=\"DejaVu Sans, Verdana, sans-serif\" xml:space=\"preserve\">\n<defs>\n" + clips_ + "</defs>\n";
-  text += format("<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" ", x, y, width, height) + paint("fill", background) + "/>\n";
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" ";
+  text += format("width=\"%g\" height=\"%g\" viewBox=\"%g %g %g %g\" ", width, height, x, y, width,
+                 height);
+  text += "font-family=\"DejaVu Sans, Verdana, sans-serif\" xml:space=\"preserve\">\n<defs>\n" +
+          clips_ + "</defs>\n";
+  text += format("<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" ", x, y, width, height) +
+          paint("fill", background) + "/>\n";
   text += elements_;
   for (std::size_t i = 0; i < clip_stack_.size(); ++i) text += "</g>\n";
   return text + "</svg>\n";

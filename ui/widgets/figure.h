@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A panel as a vector picture: while one is being taken, what widgets draw through pen.h is noted here,
-// too, in the same pixels. Used by the UI thread only.
+// A panel as a vector picture: while one is being taken, what widgets draw through pen.h is noted
+// here, too, in the same pixels. Used by the UI thread only.
 #pragma once
 
 #include <imgui/imgui.h>
@@ -22,11 +22,12 @@ class Figure {
   static Figure* active();
 
   /// Dashes of `on` and gaps of `off` pixels; `off` 0: solid.
-  void polyline(const ImVec2* points, int count, ImU32 color, float width, bool closed, float on = 0, float off = 0);
+  void polyline(const ImVec2* points, int count, ImU32 color, float width, bool closed,
+                float on = 0, float off = 0);
   void polygon(const ImVec2* points, int count, ImU32 color);
   void circle(ImVec2 center, float radius, ImU32 color, float width);  ///< width 0: filled
-  void text(ImVec2 at, ImU32 color, const char* text);                 ///< upper left corner; lines at '\n'
-  void image(ImVec2 lo, ImVec2 hi, const cv::Mat& pixels);             ///< not smoothed
+  void text(ImVec2 at, ImU32 color, const char* text);      ///< upper left corner; lines at '\n'
+  void image(ImVec2 lo, ImVec2 hi, const cv::Mat& pixels);  ///< not smoothed
   void pushClip(ImVec2 lo, ImVec2 hi);
   void popClip();
 

@@ -11,12 +11,15 @@ void line(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float width) {
   if (Figure* figure = Figure::active()) figure->polyline(ends, 2, color, width, false);
 }
 
-void polyline(ImDrawList* list, const ImVec2* points, int count, ImU32 color, ImDrawFlags flags, float width) {
+void polyline(ImDrawList* list, const ImVec2* points, int count, ImU32 color, ImDrawFlags flags,
+              float width) {
   list->AddPolyline(points, count, color, flags, width);
-  if (Figure* figure = Figure::active()) figure->polyline(points, count, color, width, flags & ImDrawFlags_Closed);
+  if (Figure* figure = Figure::active())
+    figure->polyline(points, count, color, width, flags & ImDrawFlags_Closed);
 }
 
-void rect(ImDrawList* list, ImVec2 lo, ImVec2 hi, ImU32 color, float rounding, ImDrawFlags flags, float width) {
+void rect(ImDrawList* list, ImVec2 lo, ImVec2 hi, ImU32 color, float rounding, ImDrawFlags flags,
+          float width) {
   list->AddRect(lo, hi, color, rounding, flags, width);
   const ImVec2 corners[4] = {lo, {hi.x, lo.y}, hi, {lo.x, hi.y}};
   if (Figure* figure = Figure::active()) figure->polyline(corners, 4, color, width, true);

@@ -81,7 +81,8 @@ class Compare : public testing::TestWithParam<SurfaceKind> {
     const Result<Script> script = parseScript(text, "test.script");
     if (!script) return script.error().message();
     InspectorTarget target(*runs, inspector->state());
-    const auto result = runScript(script.value(), {*host, *inspector, target, runs.get(), folder.path()});
+    const auto result =
+        runScript(script.value(), {*host, *inspector, target, runs.get(), folder.path()});
     return result ? "" : result.error().message();
   }
 
@@ -101,24 +102,27 @@ class Compare : public testing::TestWithParam<SurfaceKind> {
 
 TEST_P(Compare, OneTransportMovesAllRuns) {
   open();
-  EXPECT_EQ(run("step 3\nexpect frame@svo == 2\nexpect frame@it-svo == 2\n"
-                "run-to start\nexpect frame@svo == 12\nexpect frame@pl-svo == 12\n"
-                "run-to keyframe\nexpect frame == 21\nexpect frame@pl-svo == 21\n"
-                "back 4\nexpect frame@svo == 17\nexpect frame@pl-svo == 17\nkey left\nexpect frame@it-svo == 16\n"
-                "goto live\nexpect frame@svo == 21\nrun-to lost\nexpect frame@pl-svo == 60\n"
-                "reset\nexpect next_frame == 0\nstep\nexpect frame@svo == 0\nexpect frame@it-svo == 0\n"),
-            "");
+  EXPECT_EQ(
+      run("step 3\nexpect frame@svo == 2\nexpect frame@it-svo == 2\n"
+          "run-to start\nexpect frame@svo == 12\nexpect frame@pl-svo == 12\n"
+          "run-to keyframe\nexpect frame == 21\nexpect frame@pl-svo == 21\n"
+          "back 4\nexpect frame@svo == 17\nexpect frame@pl-svo == 17\nkey left\nexpect "
+          "frame@it-svo == 16\n"
+          "goto live\nexpect frame@svo == 21\nrun-to lost\nexpect frame@pl-svo == 60\n"
+          "reset\nexpect next_frame == 0\nstep\nexpect frame@svo == 0\nexpect frame@it-svo == 0\n"),
+      "");
 }
 
 TEST_P(Compare, TheCurrentRunIsChosenByKeyTabAndScript) {
   open();
-  EXPECT_EQ(run("run-to 30\nexpect run == svo\nkey r\nexpect run == pl-svo\nexpect method == pl-svo\n"
-                "key r\nexpect run == it-svo\nexpect state == initializing\n"
-                "key r\nexpect run == svo\n"  // the trajectory is passed over
-                "click run:pl-svo\nexpect run == pl-svo\n"
-                "click run:orb\nexpect run == pl-svo\n"
-                "run 0\nexpect run == svo\nexpect runs has orb\n"),
-            "");
+  EXPECT_EQ(
+      run("run-to 30\nexpect run == svo\nkey r\nexpect run == pl-svo\nexpect method == pl-svo\n"
+          "key r\nexpect run == it-svo\nexpect state == initializing\n"
+          "key r\nexpect run == svo\n"  // the trajectory is passed over
+          "click run:pl-svo\nexpect run == pl-svo\n"
+          "click run:orb\nexpect run == pl-svo\n"
+          "run 0\nexpect run == svo\nexpect runs has orb\n"),
+      "");
   EXPECT_THAT(run("run orb\n"), HasSubstr("poses only"));
   EXPECT_THAT(run("run dso\n"), HasSubstr("no run is called 'dso'"));
 }
@@ -127,7 +131,8 @@ TEST_P(Compare, EachRunKeepsItsSelection) {
   open();
   ASSERT_EQ(run("run-to 40\nselect seed any\n"), "");
   const Selection first = inspector->state().selection;
-  EXPECT_EQ(run("run pl-svo\nexpect selected.kind == none\nselect feature any\nexpect selected.kind != none\n"
+  EXPECT_EQ(run("run pl-svo\nexpect selected.kind == none\nselect feature any\nexpect "
+                "selected.kind != none\n"
                 "run svo\nexpect selected.kind == seed\n"),
             "");
   EXPECT_EQ(inspector->state().selection, first);
@@ -160,7 +165,8 @@ TEST_P(Compare, PathsLieInOneFrameOfReference) {
   const ComparedRun &svo = data.runs()[0], &orb = data.runs()[3];
   for (const int row : {30, 50, 70}) {
     const auto i = static_cast<std::size_t>(row);
-    EXPECT_NEAR((svo.path[i] - orb.path[i]).norm(), svo.error[i], 1e-3) << "orb is the ground truth";
+    EXPECT_NEAR((svo.path[i] - orb.path[i]).norm(), svo.error[i], 1e-3)
+        << "orb is the ground truth";
     EXPECT_NEAR(orb.difference[i], (svo.path[i] - orb.path[i]).norm(), 1e-5);
   }
   EXPECT_TRUE(std::isnan(orb.difference[10])) << "the trajectory begins later";
@@ -186,7 +192,8 @@ TEST_P(Compare, PanelsExportNumbersAndCharts) {
                 "export Compare plots plots.csv\nexport Compare plots plots.svg\n"
                 "export Compare metrics metrics.csv\nexport Compare 3-D paths.csv\n"),
             "");
-  EXPECT_THAT(written("plots.csv"), HasSubstr("frame,svo error_m,svo difference_m,svo inliers,svo tracking_ms,pl-svo"));
+  EXPECT_THAT(written("plots.csv"),
+              HasSubstr("frame,svo error_m,svo difference_m,svo inliers,svo tracking_ms,pl-svo"));
   EXPECT_THAT(written("plots.csv"), HasSubstr("\n70,"));
   EXPECT_THAT(written("plots.svg"), HasSubstr("Position error, m</text>"));
   EXPECT_THAT(written("plots.svg"), HasSubstr("PL-SVO</text>"));
@@ -197,9 +204,14 @@ TEST_P(Compare, PanelsExportNumbersAndCharts) {
 
 TEST_P(Compare, EveryPanelWithChartsExports) {
   open();
-  ASSERT_EQ(run("run-to 50\nset lab.wait on\nset lab.seeds 200\nset lab.section 2\nselect seed any\nwait 3\n"), "");
-  for (const std::string panel : {"Plots", "Timing", "Seed", "KL / JS", "Evaluation", "Filter lab", "Compare plots"}) {
-    EXPECT_EQ(run("panel \"" + panel + "\"\nwait 2\nexport \"" + panel + "\" a.csv\nexport \"" + panel + "\" a.svg\n"), "")
+  ASSERT_EQ(run("run-to 50\nset lab.wait on\nset lab.seeds 200\nset lab.section 2\nselect seed "
+                "any\nwait 3\n"),
+            "");
+  for (const std::string panel :
+       {"Plots", "Timing", "Seed", "KL / JS", "Evaluation", "Filter lab", "Compare plots"}) {
+    EXPECT_EQ(run("panel \"" + panel + "\"\nwait 2\nexport \"" + panel + "\" a.csv\nexport \"" +
+                  panel + "\" a.svg\n"),
+              "")
         << panel;
     EXPECT_THAT(written("a.csv"), HasSubstr(",")) << panel;
     EXPECT_THAT(written("a.svg"), HasSubstr("<polyline")) << panel;
@@ -218,28 +230,34 @@ TEST_P(Compare, WhatCannotBeExportedIsSaid) {
 
 TEST_P(Compare, EveryLayoutDrawsAtSeveralSizesAndScales) {
   open();
-  EXPECT_EQ(run("layout Compare\nwait 2\nrun-to 66\nwait 2\nscale 1.5\nwait 2\nsize 640x400\nwait 2\n"
-                "size 80x80\nwait 2\nsize 1280x720\nscale 1\npanel Compare images\nwait 2\nclick image:pl-svo\n"
-                "expect run == pl-svo\n"),
-            "");
+  EXPECT_EQ(
+      run("layout Compare\nwait 2\nrun-to 66\nwait 2\nscale 1.5\nwait 2\nsize 640x400\nwait 2\n"
+          "size 80x80\nwait 2\nsize 1280x720\nscale 1\npanel Compare images\nwait 2\nclick "
+          "image:pl-svo\n"
+          "expect run == pl-svo\n"),
+      "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, Compare, testing::Values(SurfaceKind::null, SurfaceKind::osmesa),
-                         [](const auto& test) { return test.param == SurfaceKind::null ? "null" : "osmesa"; });
+                         [](const auto& test) {
+                           return test.param == SurfaceKind::null ? "null" : "osmesa";
+                         });
 
 TEST(CompareAlone, OneRunSaysHowToOpenMore) {
   const auto host = openHost(SurfaceKind::null, 1280, 720);
   FakeRunner runner;
   Inspector inspector(runner, host->graphics());
   InspectorTarget target(runner, inspector.state());
-  const auto script = parseScript("step\nlayout Compare\nkey r\nexpect run == it-svo\n", "test.script");
+  const auto script =
+      parseScript("step\nlayout Compare\nkey r\nexpect run == it-svo\n", "test.script");
   test::TemporaryFolder folder;
   const auto result = runScript(script.value(), {*host, inspector, target, &runner, folder.path()});
   EXPECT_TRUE(result.ok()) << result.error().message();
   EXPECT_TRUE(inspector.compare().runs().empty());
 }
 
-// The colours of the methods are on screen where their names are: a picture that lost a run differs.
+// The colours of the methods are on screen where their names are: a picture that lost a run
+// differs.
 TEST(CompareAlone, ThePictureHasTheColourOfEveryRun) {
   const auto host = openHost(SurfaceKind::osmesa, 1000, 700);
   if (!host) GTEST_SKIP() << "OSMesa is absent: install libosmesa6";
@@ -252,7 +270,8 @@ TEST(CompareAlone, ThePictureHasTheColourOfEveryRun) {
   Inspector inspector(runs, host->graphics());
   InspectorTarget target(runs, inspector.state());
   test::TemporaryFolder folder;
-  const auto script = parseScript("run-to 80\npanel Compare 3-D\nset image.seeds off\nwait 2\nshot a.png Compare 3-D\n", "t");
+  const auto script = parseScript(
+      "run-to 80\npanel Compare 3-D\nset image.seeds off\nwait 2\nshot a.png Compare 3-D\n", "t");
   const auto result = runScript(script.value(), {*host, inspector, target, &runs, folder.path()});
   ASSERT_TRUE(result.ok()) << result.error().message();
   const cv::Mat picture = cv::imread((folder.path() / "a.png").string());
@@ -263,7 +282,8 @@ TEST(CompareAlone, ThePictureHasTheColourOfEveryRun) {
     for (int y = 0; y < picture.rows; ++y) {
       for (int x = 0; x < picture.cols; ++x) {
         const auto& p = picture.at<cv::Vec3b>(y, x);
-        pixels += std::abs(p[2] - 255 * c.x) < 24 && std::abs(p[1] - 255 * c.y) < 24 && std::abs(p[0] - 255 * c.z) < 24;
+        pixels += std::abs(p[2] - 255 * c.x) < 24 && std::abs(p[1] - 255 * c.y) < 24 &&
+                  std::abs(p[0] - 255 * c.z) < 24;
       }
     }
     EXPECT_GT(pixels, 60) << method;
