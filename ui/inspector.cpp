@@ -185,7 +185,7 @@ void Inspector::drawBody(PanelContext& context) {
     if (found == panelTable().end()) return;
     drawExporting(context, panel, found->second);
   };
-  view.exportable = [](const std::string& panel) { return exportsNumbers(panel); };
+  view.exportable = [](const std::string& panel) { return panel != "Help" && panel != "Parameters"; };
   if (transport_top - top > grid(4)) {
     drawLayout(state_.layout, {0, top + grid(0.5f)}, {display.x, transport_top - grid(1)}, view);
   }

@@ -83,7 +83,7 @@ void Inspector::drawExportMenu(PanelContext& context) {
       return (std::filesystem::path(state_.output_folder) / exportName(context, panel, extension))
           .string();
     };
-    if (item("Numbers, CSV"))
+    if (exportsNumbers(panel) && item("Numbers, CSV"))
       state_.export_request = ExportRequest{panel, file(".csv"), false, true};
     if (item("Picture, PNG")) {
       state_.picture_request = ExportRequest{panel, file(".png"), false, true};

@@ -5,8 +5,10 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "engine/io/text_output.h"
+#include "ui/palette.h"
 #include "ui/panels/compare_panel.h"
 #include "ui/panels/export.h"
 #include "ui/panels/seed_charts.h"
@@ -44,6 +46,32 @@ std::string filterLabCsv(PanelContext& c) {
   return labCsv(c.state.lab, c.caches.separation, c.caches.lab.state().result.get());
 }
 
+std::string featuresCsv(PanelContext& c) {
+  if (!c.snapshot) return "";
+  std::string text = "id,type,origin,status,level,x,y,x_end,y_end,depth,residual_px,observations\n";
+  for (const FeatureView& f : c.snapshot->features) {
+    text +=
+        format("%lld,%s,%s,%s,%d,%.3f,%.3f,", static_cast<long long>(f.id), featureTypeName(f.type),
+               originName(f.origin), statusName(f.status), f.level, f.px.x(), f.px.y());
+    text += f.type == FeatureType::segment ? format("%.3f,%.3f", f.px_end.x(), f.px_end.y()) : ",";
+    text += format(",%.6g,%.4g,%d\n", f.depth, f.residual_px, f.observations);
+  }
+  return text;
+}
+
+std::string pointsCsv(PanelContext& c) {
+  if (!c.snapshot || !c.snapshot->points) return "";
+  std::string text = "id,type,x,y,z,x_end,y_end,z_end,sigma,observations\n";
+  for (const MapPointView& p : *c.snapshot->points) {
+    text += format("%lld,%s,%.6g,%.6g,%.6g,", static_cast<long long>(p.id), featureTypeName(p.type),
+                   p.position.x(), p.position.y(), p.position.z());
+    const Vec3f& e = p.position_end;
+    text += p.type == FeatureType::segment ? format("%.6g,%.6g,%.6g", e.x(), e.y(), e.z()) : ",,";
+    text += format(",%.6g,%d\n", p.sigma, p.observations);
+  }
+  return text;
+}
+
 std::string comparison(PanelContext& c, std::string (*csv)(const CompareData&)) {
   if (c.runs.size() < 2 || c.engineFrame() < 0) return "";
   updateComparison(c);
@@ -52,6 +80,12 @@ std::string comparison(PanelContext& c, std::string (*csv)(const CompareData&)) 
 
 const std::map<std::string, Csv>& csvTable() {
   static const std::map<std::string, Csv> table{
+      {"Image", featuresCsv},
+      {"3-D", pointsCsv},
+      {"Funnel",
+       [](PanelContext& c) {
+         return c.caches.run.records().empty() ? std::string() : framesCsv(c.caches.run);
+       }},
       {"Plots", plotsCsv},
       {"Timing", [](PanelContext& c) { return timingCsv(c); }},
       {"Seed", seedCsv},
@@ -91,7 +125,10 @@ std::string slug(const std::string& panel) {
 bool exportsNumbers(const std::string& panel) { return csvTable().count(panel) > 0; }
 
 bool exportsCharts(const std::string& panel) {
-  return exportsNumbers(panel) && panel != "Compare 3-D" && panel != "Compare metrics";
+  static const std::set<std::string> charts{"Plots",           "Timing",       "Seed",
+                                            "Epipolar search", "KL / JS",      "Evaluation",
+                                            "Filter lab",      "Compare plots"};
+  return charts.count(panel) > 0;
 }
 
 Result<std::string> panelCsv(PanelContext& c, const std::string& panel) {

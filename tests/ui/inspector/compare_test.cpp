@@ -218,10 +218,18 @@ TEST_P(Compare, EveryPanelWithChartsExports) {
   }
 }
 
+TEST_P(Compare, ImageMapAndFunnelExportTheirNumbers) {
+  open();
+  ASSERT_EQ(run("run-to 30\nexport Image i.csv\nexport 3-D p.csv\nexport Funnel f.csv\n"), "");
+  EXPECT_THAT(written("i.csv"), HasSubstr(",Corner,Landmark,Inlier,"));
+  EXPECT_THAT(written("p.csv"), HasSubstr(",Segment,"));
+  EXPECT_THAT(written("f.csv"), HasSubstr("\n30,"));
+}
+
 TEST_P(Compare, WhatCannotBeExportedIsSaid) {
   open();
   ASSERT_EQ(run("run-to 30\nlayout Compare\n"), "");
-  EXPECT_THAT(run("export Image image.csv\n"), HasSubstr("has no numbers"));
+  EXPECT_THAT(run("export Log log.csv\n"), HasSubstr("has no numbers"));
   EXPECT_THAT(run("export Image image.svg\n"), HasSubstr("has no charts"));
   EXPECT_THAT(run("export Timing timing.svg\n"), HasSubstr("not on screen"));
   EXPECT_THAT(run("export Plot plot.csv\n"), HasSubstr("no panel is called"));
