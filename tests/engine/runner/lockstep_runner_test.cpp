@@ -236,7 +236,8 @@ TEST_F(Lockstep, AThreadOfItsOwnKeepsRunsTogether) {
 
 TrajectoryFile fileOf(const std::vector<double>& times) {
   TrajectoryFile file;
-  for (const double t : times) file.poses.push_back({t, SE3({1, 0, 0, 0}, Vec3(t, 0, 0))});
+  for (const double t : times)
+    file.poses.push_back({t, SE3(Eigen::Quaterniond::Identity(), Vec3(t, 0, 0))});
   return file;
 }
 

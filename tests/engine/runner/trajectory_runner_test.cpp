@@ -10,7 +10,8 @@ using Kind = Command::Kind;
 
 TrajectoryFile fileOf(const std::vector<double>& times) {
   TrajectoryFile file;
-  for (const double t : times) file.poses.push_back({t, SE3({1, 0, 0, 0}, Vec3(t, 0, 0))});
+  for (const double t : times)
+    file.poses.push_back({t, SE3(Eigen::Quaterniond::Identity(), Vec3(t, 0, 0))});
   return file;
 }
 
