@@ -24,6 +24,7 @@ constexpr const char* kFooter =
     "  svoscope run SEQUENCE --record --out results the same, and all that the inspector shows\n"
     "  svoscope results/run.svoscope                look at the recording\n"
     "  svoscope eval groundtruth.txt results/trajectory.txt\n"
+    "  svoscope bench bench.yaml --out bench        methods on many sequences, with report\n"
     "\n"
     "Exit codes: 0 done, 1 internal error, 2 usage, 3 input, 4 output not writable,\n"
     "5 never initialised, 130 interrupted.";
@@ -81,6 +82,8 @@ int runCommandLine(std::vector<std::string> arguments) {
   addRunCommand(app, action);
   addShotCommand(app, action);
   addEvalCommand(app, action);
+  addConvertCommand(app, action);
+  addBenchCommand(app, action);
   addSynthCommand(app, action);
   addLabCommand(app, action);
 

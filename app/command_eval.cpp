@@ -11,6 +11,7 @@
 #include "app/command.h"
 #include "engine/eval/evaluate.h"
 #include "engine/eval/trajectory_file.h"
+#include "engine/io/eval_plots.h"
 #include "engine/io/run_metrics.h"
 
 namespace svoscope {
@@ -24,20 +25,22 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  svoscope eval groundtruth.txt trajectory.txt\n"
     "  svoscope eval groundtruth.txt a.txt b.txt --align se3 --delta 30f --all-pairs\n"
+    "  svoscope eval groundtruth.txt a.txt --align-first 100 --plots figures\n"
     "  svoscope eval poses/00.txt orb.txt --delta 10m --json";
 
 struct Arguments {
   std::string ground_truth;
   std::vector<std::string> estimates;
   std::string align = "sim3";
-  double max_dt = 0.02;
-  std::string delta;
+  int align_first = 0;
+  double max_dt = 0.02, offset = 0;
+  std::string delta, plots;
   bool all_pairs = false;
   bool json = false;
 };
 
-Result<TrajectoryFile> load(const std::string& file) {
-  auto loaded = loadTrajectory(file);
+Result<TrajectoryFile> load(const std::string& file, RepeatedStamps repeats) {
+  auto loaded = loadTrajectory(file, repeats);
   if (loaded.ok()) {
     for (const std::string& warning : loaded.value().warnings) reportWarning(warning);
   }
@@ -49,7 +52,9 @@ Result<EvalOptions> optionsFor(const Arguments& arguments, const TrajectoryFile&
                                const TrajectoryFile& est, const std::string& est_name) {
   EvalOptions options;
   options.alignment = parseAlignment(arguments.align).value();  // checked by the parser
+  options.align_first = arguments.align_first;
   options.max_dt = arguments.max_dt;
+  options.time_offset = arguments.offset;
   options.all_pairs = arguments.all_pairs;
   const bool gt_rows = gt.format == TrajectoryFormat::kitti;
   const bool est_rows = est.format == TrajectoryFormat::kitti;
@@ -58,6 +63,9 @@ Result<EvalOptions> optionsFor(const Arguments& arguments, const TrajectoryFile&
                       "give both as KITTI rows, or both with timestamps");
   }
   options.by_row = gt_rows;
+  if (options.by_row && options.time_offset != 0) {
+    return usageError("KITTI rows have no timestamps to shift", "--offset", "leave it out");
+  }
   const std::string standard = options.by_row ? "10m" : "1s";
   const auto delta = parseDelta(arguments.delta.empty() ? standard : arguments.delta);
   if (!delta.ok()) return delta.error();
@@ -71,7 +79,7 @@ Result<EvalOptions> optionsFor(const Arguments& arguments, const TrajectoryFile&
 
 Result<EvalResult> evaluateFile(const Arguments& arguments, const TrajectoryFile& gt,
                                 const std::string& est_name) {
-  const auto est = load(est_name);
+  const auto est = load(est_name, RepeatedStamps::reject);
   if (!est.ok()) return est.error();
   const auto options = optionsFor(arguments, gt, est.value(), est_name);
   if (!options.ok()) return options.error();
@@ -85,10 +93,14 @@ Result<EvalResult> evaluateFile(const Arguments& arguments, const TrajectoryFile
 void printJson(const Arguments& arguments, const std::string& est_name, const EvalResult& result) {
   nlohmann::ordered_json association = {
       {"matched_by", result.options.by_row ? "row" : "timestamp"}};
-  if (!result.options.by_row) association["max_dt_s"] = result.options.max_dt;
+  if (!result.options.by_row) {
+    association["max_dt_s"] = result.options.max_dt;
+    association["offset_s"] = result.options.time_offset;
+  }
   const nlohmann::ordered_json json = {{"ground_truth", arguments.ground_truth},
                                        {"estimate", est_name},
                                        {"association", association},
+                                       {"aligned_on", result.aligned_on},
                                        {"ate", ateJson(result)},
                                        {"rpe", rpeJson(result)}};
   fmt::print("{}\n", json.dump());
@@ -98,7 +110,23 @@ std::string shortened(const std::string& name, std::size_t width) {
   return name.size() <= width ? name : "..." + name.substr(name.size() - width + 3);
 }
 
-void printTable(const std::vector<std::pair<std::string, EvalResult>>& rows) {
+std::string associationText(const EvalOptions& o) {
+  if (o.by_row) return "row";
+  const std::string text = fmt::format("timestamp within {} s", o.max_dt);
+  return o.time_offset == 0 ? text
+                            : text + fmt::format(", {:+} s added to the estimates'", o.time_offset);
+}
+
+std::string alignmentText(const EvalOptions& o) {
+  if (o.alignment == Alignment::none) return "none: positions as given";
+  const std::string poses =
+      o.align_first > 0 ? fmt::format("the first {} matches", o.align_first) : "all matches";
+  const char* free = o.alignment == Alignment::se3 ? "rotation and translation"
+                                                   : "rotation, translation and scale";
+  return fmt::format("{}: {}, on {}", alignmentName(o.alignment), free, poses);
+}
+
+void printTable(const std::vector<NamedEval>& rows) {
   fmt::print("{:<32} {:>5} {:>9} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "estimate",
              "align", "scale", "matched", "ATE rmse", "mean", "median", "max", "std", "RPE m",
              "RPE rad");
@@ -113,13 +141,9 @@ void printTable(const std::vector<std::pair<std::string, EvalResult>>& rows) {
       fmt::print("{:>9} {:>9}\n", "-", "-");
     }
   }
-  const EvalOptions& o = rows.front().second.options;
+  const EvalOptions& o = rows.front().result.options;
   fmt::print("\nATE in m over {} poses of ground truth; matched by {}; alignment {}\n",
-             rows.front().second.poses_gt,
-             o.by_row ? "row" : fmt::format("timestamp within {} s", o.max_dt),
-             o.alignment == Alignment::none  ? "none: positions as given"
-             : o.alignment == Alignment::se3 ? "se3: rotation and translation"
-                                             : "sim3: rotation, translation and scale");
+             rows.front().result.poses_gt, associationText(o), alignmentText(o));
   fmt::print("RPE rmse over {}, {} pairs\n", o.delta.text(), o.all_pairs ? "all" : "consecutive");
 }
 
@@ -128,21 +152,28 @@ int runEval(const Arguments& arguments) {
     const auto delta = parseDelta(arguments.delta);
     if (!delta.ok()) return reportError(delta.error());
   }
-  const auto gt = load(arguments.ground_truth);
+  if (arguments.align_first != 0 && arguments.align == "none") {
+    return reportError(usageError("nothing is aligned with --align none", "--align-first",
+                                  "leave one of them out"));
+  }
+  const auto gt = load(arguments.ground_truth, RepeatedStamps::warn);
   if (!gt.ok()) return reportError(gt.error());
   int exit_code = kExitDone;
-  std::vector<std::pair<std::string, EvalResult>> rows;
+  std::vector<NamedEval> rows;
   for (const std::string& estimate : arguments.estimates) {
     auto result = evaluateFile(arguments, gt.value(), estimate);
     if (!result.ok()) {
       exit_code = reportError(result.error());  // the others are still worth having
-    } else if (arguments.json) {
-      printJson(arguments, estimate, result.value());
     } else {
-      rows.emplace_back(estimate, std::move(result).value());
+      if (arguments.json) printJson(arguments, estimate, result.value());
+      rows.push_back({estimate, std::move(result).value()});
     }
   }
-  if (!rows.empty()) printTable(rows);
+  if (!rows.empty() && !arguments.json) printTable(rows);
+  if (!rows.empty() && !arguments.plots.empty()) {
+    const Status written = writeEvalPlots(arguments.plots, gt.value().poses, rows);
+    if (!written.ok()) return reportError(written.error());
+  }
   return exit_code;
 }
 
@@ -159,13 +190,27 @@ void addEvalCommand(CLI::App& app, Action& action) {
   command->add_option("--align", arguments->align, "Alignment before comparing")
       ->check(CLI::IsMember({"none", "se3", "sim3"}))
       ->capture_default_str();
+  command
+      ->add_option("--align-first", arguments->align_first,
+                   "Align on the first N matches only [all]")
+      ->check(CLI::Range(3, 1000000000))
+      ->type_name("N");
   command->add_option("--max-dt", arguments->max_dt, "Association limit, seconds")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  command
+      ->add_option("--offset", arguments->offset,
+                   "Seconds added to the timestamps of the estimates")
+      ->check(CLI::Range(-1e12, 1e12))
+      ->type_name("S");
   command->add_option("--delta", arguments->delta,
                       "Interval of the RPE: 1s, 30f (frames), 10m [1s; 10m for KITTI rows]");
   command->add_flag("--all-pairs", arguments->all_pairs,
                     "RPE over all pairs, not consecutive ones");
+  command
+      ->add_option("--plots", arguments->plots,
+                   "Folder for trajectories.svg, error.svg, errors.csv")
+      ->type_name("DIR");
   command->add_flag("--json", arguments->json, "One JSON object a line for each estimate");
   command->callback([arguments, &action] { action = [arguments] { return runEval(*arguments); }; });
 }

@@ -28,8 +28,16 @@ Error nothingMatches(const Trajectory& gt, const Trajectory& est, double max_dt)
                ? std::string("is empty")
                : fmt::format("covers {:.3f} to {:.3f} s", t.front().timestamp, t.back().timestamp);
   };
-  return inputError(fmt::format("no timestamps match within {} s", max_dt), "association",
-                    fmt::format("the ground truth {}, the estimate {}", range(gt), range(est)));
+  const bool apart =
+      !gt.empty() && !est.empty() &&
+      (gt.back().timestamp < est.front().timestamp || est.back().timestamp < gt.front().timestamp);
+  return inputError(
+      apart ? std::string("the timestamps do not overlap")
+            : fmt::format("no timestamps match within {} s", max_dt),
+      "association",
+      fmt::format("the ground truth {}, the estimate {}; {}", range(gt), range(est),
+                  apart ? "are both of the same sequence? an offset between two clocks is --offset"
+                        : "a wider limit is --max-dt, an offset between two clocks --offset"));
 }
 
 }  // namespace

@@ -27,10 +27,17 @@ std::optional<RelativeError> relativeError(const Trajectory& gt, const Trajector
   return RelativeError{std::sqrt(trans2 / n), std::sqrt(rot2 / n), static_cast<int>(pairs.size())};
 }
 
-std::vector<Vec3> positions(const Trajectory& poses) {
+/// Positions of the first `count` poses.
+std::vector<Vec3> positions(const Trajectory& poses, std::size_t count) {
   std::vector<Vec3> result;
-  result.reserve(poses.size());
-  for (const StampedPose& pose : poses) result.push_back(pose.T_world_cam.translation());
+  result.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) result.push_back(poses[i].T_world_cam.translation());
+  return result;
+}
+
+Trajectory shifted(const Trajectory& poses, double offset) {
+  Trajectory result = poses;
+  for (StampedPose& pose : result) pose.timestamp += offset;
   return result;
 }
 
@@ -59,19 +66,27 @@ ErrorStatistics statisticsOf(std::vector<double> values) {
 
 Result<EvalResult> evaluate(const Trajectory& ground_truth, const Trajectory& estimate,
                             const EvalOptions& options) {
-  const auto pairs = options.by_row ? associateByRow(ground_truth, estimate)
-                                    : associateByTime(ground_truth, estimate, options.max_dt);
+  const bool shift = options.time_offset != 0 && !options.by_row;
+  const Trajectory estimate_on_clock =
+      shift ? shifted(estimate, options.time_offset) : Trajectory();
+  const Trajectory& stamped = shift ? estimate_on_clock : estimate;
+  const auto pairs = options.by_row ? associateByRow(ground_truth, stamped)
+                                    : associateByTime(ground_truth, stamped, options.max_dt);
   if (!pairs.ok()) return pairs.error();
   Trajectory gt, est;
   for (const PosePair& pair : pairs.value()) {
     gt.push_back(ground_truth[pair.gt]);
-    est.push_back(estimate[pair.est]);
+    est.push_back(stamped[pair.est]);
   }
-  const auto T_gt_est = alignPoints(positions(est), positions(gt), options.alignment);
+  const std::size_t first =
+      options.align_first > 0 ? static_cast<std::size_t>(options.align_first) : est.size();
+  const std::size_t count = std::min(first, est.size());
+  const auto T_gt_est = alignPoints(positions(est, count), positions(gt, count), options.alignment);
   if (!T_gt_est.ok()) return T_gt_est.error();
 
   EvalResult result;
   result.options = options;
+  result.aligned_on = options.alignment == Alignment::none ? 0 : static_cast<int>(count);
   result.T_gt_est = T_gt_est.value();
   result.scale = result.T_gt_est.scale;
   result.matched = static_cast<int>(est.size());

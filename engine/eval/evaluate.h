@@ -15,7 +15,9 @@ namespace svoscope {
 struct EvalOptions {
   Alignment alignment = Alignment::sim3;  ///< sim3: a single camera does not know the scale
   double max_dt = 0.02;                   ///< association limit, s
+  double time_offset = 0;                 ///< s, added to the timestamps of the estimate
   bool by_row = false;                    ///< match row i with row i (files without timestamps)
+  int align_first = 0;                    ///< align on the first so many matches; 0: on all
   Delta delta;                            ///< interval of the relative error
   bool all_pairs = false;                 ///< relative error over overlapping pairs
 };
@@ -35,7 +37,7 @@ struct RelativeError {
 
 /// One matched pose.
 struct PoseError {
-  double timestamp = 0;              ///< s, of the estimate
+  double timestamp = 0;              ///< s, of the estimate, on the clock of the ground truth
   double error_m = 0;                ///< distance of the aligned position from the ground truth
   Vec3 position_gt = Vec3::Zero();   ///< ground truth
   Vec3 position_est = Vec3::Zero();  ///< estimate after alignment, in the ground truth's world
@@ -43,6 +45,7 @@ struct PoseError {
 
 struct EvalResult {
   EvalOptions options;               ///< as used: alignment mode, association limit, interval
+  int aligned_on = 0;                ///< matches the alignment was computed from; 0 without one
   ErrorStatistics ate;               ///< of the aligned positions
   std::optional<RelativeError> rpe;  ///< empty if no two matched poses are one interval apart
   double scale = 1;                  ///< ground truth metres per unit of the estimate

@@ -108,8 +108,15 @@ Result<StampedPose> poseOfRow(const TextRow& row, TrajectoryFormat format, int n
 }
 
 /// Lines whose timestamp repeats the one above: few give a warning, many an error.
-Status judgeRepeats(const std::vector<int>& lines, const fs::path& file, TrajectoryFile& result) {
+Status judgeRepeats(const std::vector<int>& lines, const fs::path& file, RepeatedStamps repeats,
+                    TrajectoryFile& result) {
   if (lines.empty()) return Done{};
+  if (repeats == RepeatedStamps::reject) {
+    return inputError(
+        fmt::format("the timestamp is that of the row above ({} such rows)", lines.size()),
+        place(file, lines.front()),
+        "an estimate has one pose for a time: drop the rows, or write more digits");
+  }
   const std::size_t rows = result.poses.size() + lines.size();
   const std::string what =
       fmt::format("{} of {} timestamps repeat the one above", lines.size(), rows);
@@ -136,7 +143,7 @@ const char* trajectoryFormatName(TrajectoryFormat format) {
   return "unknown";
 }
 
-Result<TrajectoryFile> loadTrajectory(const fs::path& file) {
+Result<TrajectoryFile> loadTrajectory(const fs::path& file, RepeatedStamps repeats) {
   const auto read = readTextRows(file, "expected a trajectory file");
   if (!read.ok()) return read.error();
   const std::vector<TextRow>& rows = read.value();
@@ -165,8 +172,8 @@ Result<TrajectoryFile> loadTrajectory(const fs::path& file) {
       result.poses.push_back(pose.value());
     }
   }
-  const Status repeats = judgeRepeats(repeated, file, result);
-  if (!repeats.ok()) return repeats.error();
+  const Status judged = judgeRepeats(repeated, file, repeats, result);
+  if (!judged.ok()) return judged.error();
   return result;
 }
 

@@ -24,11 +24,17 @@ struct TrajectoryFile {
   std::vector<std::string> warnings;  ///< what was passed over, one line each
 };
 
+/// What becomes of rows that repeat the timestamp of the one above.
+enum class RepeatedStamps {
+  warn,    ///< up to one row in ten is passed over with a warning: ground truths do so now and then
+  reject,  ///< none: an estimate has one pose for a time
+};
+
 /// Reads a trajectory; the format is recognised by the first row. Input errors name file and line:
 /// unreadable or empty file, wrong number of columns, text or NaN where a number is expected,
-/// a quaternion or matrix that is no rotation, timestamps that go back, or that repeat in more
-/// than one row of ten (written with too few digits). Published ground truths do repeat a timestamp
-/// here and there: the first of such rows counts, with a warning.
-Result<TrajectoryFile> loadTrajectory(const std::filesystem::path& file);
+/// a quaternion or matrix that is no rotation, timestamps that go back, or that repeat where
+/// `repeats` does not allow it. Of rows with the same timestamp the first counts.
+Result<TrajectoryFile> loadTrajectory(const std::filesystem::path& file,
+                                      RepeatedStamps repeats = RepeatedStamps::warn);
 
 }  // namespace svoscope

@@ -51,6 +51,13 @@ NormalEquations assemble(const MultiViewProblem& p, const MultiViewOptions& o, d
   return n;
 }
 
+/// In a fixed order: the last digits of Eigen's mean() depend on the address of the values. 1 if empty.
+double meanOf(const Eigen::VectorXd& v) {
+  double sum = 0;
+  for (const double x : v) sum += x;
+  return v.size() > 0 ? sum / static_cast<double>(v.size()) : 1;
+}
+
 /// Makes the unobservable scale stiff: the last translation keeps its length.
 void holdScale(const MultiViewProblem& p, Eigen::MatrixXd& A) {
   const Index at = A.rows() - 6;
@@ -133,7 +140,7 @@ BundleStep bundleStep(const MultiViewProblem& problem, const MultiViewOptions& o
     return step;
   }
   holdScale(problem, n.A);
-  const double floor = 1e-6 * (n.D.size() > 0 ? n.D.mean() : 1.0) + 1e-12;
+  const double floor = 1e-6 * meanOf(n.D) + 1e-12;
   const Eigen::VectorXd D = n.D * (1 + lambda) + Eigen::VectorXd::Constant(n.D.size(), floor);
   const Eigen::MatrixXd CD = n.C * D.cwiseInverse().asDiagonal();
   const Eigen::MatrixXd S = n.A - CD * n.C.transpose();
@@ -148,7 +155,7 @@ void bundleCovariance(const MultiViewProblem& problem, const MultiViewOptions& o
   NormalEquations n = assemble(problem, options, c);
   const Index points = n.D.size(), last = n.A.rows() - 6;
   holdScale(problem, n.A);
-  const double floor = 1e-6 * n.D.mean() + 1e-12;
+  const double floor = 1e-6 * meanOf(n.D) + 1e-12;
   const Eigen::VectorXd D = n.D.array() + floor;
   const Eigen::MatrixXd CD = n.C * D.cwiseInverse().asDiagonal();
   Eigen::MatrixXd S = n.A - CD * n.C.transpose();

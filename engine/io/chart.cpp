@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/io/chart.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+
+#include "engine/io/axis.h"
 
 namespace svoscope {
 
@@ -36,33 +36,6 @@ void text(cv::Mat& image, const std::string& s, double x, double y, double ancho
               cv::FONT_HERSHEY_SIMPLEX, scale, kInk, 1, cv::LINE_AA);
 }
 
-/// 1, 2 or 5 times a power of ten, for about `n` steps.
-double niceStep(double span, int n) {
-  const double raw = span / n, power = std::pow(10, std::floor(std::log10(raw)));
-  for (const double m : {1.0, 2.0, 5.0}) {
-    if (m * power >= raw) return m * power;
-  }
-  return 10 * power;
-}
-
-struct Axis {
-  double low = 0, high = 1, step = 0.2;
-  bool log = false;
-
-  double part(double v) const {
-    return log ? (std::log10(v) - std::log10(low)) / (std::log10(high) - std::log10(low)) : (v - low) / (high - low);
-  }
-  std::vector<double> ticks() const {
-    std::vector<double> values;
-    if (log) {
-      for (double v = low; v <= high * 1.001; v *= 10) values.push_back(v);
-    } else {
-      for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) values.push_back(i == 0 ? 0.0 : i * step);  // no "-0"
-    }
-    return values;
-  }
-};
-
 class Panel {
  public:
   Panel(cv::Mat canvas, const ChartPanel& p) : canvas_(canvas), p_(p) {
@@ -85,40 +58,24 @@ class Panel {
 
   template <typename Values>
   Axis axis(const Values& valuesOf, bool log, bool from_zero) const {
-    double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+    std::vector<double> all;
     for (const ChartSeries& s : p_.series) {
-      for (const double v : valuesOf(s)) {
-        if (!std::isfinite(v) || (log && v <= 0)) continue;
-        low = std::min(low, v);
-        high = std::max(high, v);
-      }
+      const std::vector<double>& values = valuesOf(s);
+      all.insert(all.end(), values.begin(), values.end());
     }
-    if (low > high) low = log ? 0.1 : 0, high = 1;  // nothing to show
-    Axis a;
-    a.log = log;
-    if (log) {
-      a.low = std::pow(10, std::floor(std::log10(low)));
-      a.high = std::max(std::pow(10, std::ceil(std::log10(high))), 10 * a.low);
-      return a;
-    }
-    if (from_zero) low = std::min(low, 0.0);
-    if (!(high - low > 1e-12)) high = low + 1;
-    a.step = niceStep(high - low, 6);
-    a.low = std::floor(low / a.step) * a.step;
-    a.high = std::ceil(high / a.step) * a.step;
-    return a;
+    return fitAxis(all, log, from_zero);
   }
 
   void drawAxes() {
     for (const double v : y_.ticks()) {
       const int y = static_cast<int>(std::lround(pixelY(v)));
       cv::line(canvas_, {kLeft, y}, {right(), y}, kGrid);
-      text(canvas_, fmt::format("{:.4g}", v), kLeft - 8, y + 5, 1);
+      text(canvas_, tickText(v), kLeft - 8, y + 5, 1);
     }
     for (const double v : x_.ticks()) {
       const int x = static_cast<int>(std::lround(pixelX(v)));
       cv::line(canvas_, {x, kTop}, {x, bottom()}, kGrid);
-      text(canvas_, fmt::format("{:.4g}", v), x, bottom() + 20, 0.5);
+      text(canvas_, tickText(v), x, bottom() + 20, 0.5);
     }
     cv::rectangle(canvas_, {kLeft, kTop}, {right(), bottom()}, kInk);
     text(canvas_, p_.x_label, 0.5 * (kLeft + right()), bottom() + 46, 0.5);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/io/text_output.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 
@@ -20,7 +22,7 @@ Error cannotWrite(const fs::path& file, int reason) {
 
 Status writeWhole(const fs::path& file, const std::string& content) {
   fs::path temporary = file;
-  temporary += ".tmp";
+  temporary += "." + std::to_string(getpid()) + ".tmp";  // two programs may write the same file
   std::error_code ec;
   errno = 0;
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Choosing the window of the local bundle adjustment.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
+#include "engine/geometry/segment.h"
 #include "engine/mapping/local_adjustment.h"
 
 namespace svoscope {
@@ -67,22 +69,9 @@ Window chooseWindow(const Map& map, const Keyframe& newest, const LocalAdjustmen
   return w;
 }
 
-}  // namespace
+using Slots = std::map<int, int>;  ///< keyframe id to index
 
-AdjustmentProblem localProblem(const Map& map, int newest, const LocalAdjustmentParameters& p) {
-  AdjustmentProblem problem;
-  problem.camera = map.camera;
-  const auto it = map.keyframes.find(newest);
-  // The two keyframes of the start were adjusted by the start itself.
-  if (it == map.keyframes.end() || map.keyframes.size() < 3) return problem;
-  const Window window = chooseWindow(map, it->second, p);
-  std::map<int, int> slot;
-  for (const auto& [id, keyframe] : map.keyframes) {
-    const bool fixed = window.fixed.count(id) > 0;
-    if (!fixed && !window.free.count(id)) continue;
-    slot[id] = static_cast<int>(problem.keyframes.size());
-    problem.keyframes.push_back({id, keyframe.T_cam_world, fixed});
-  }
+void addPoints(const Map& map, const Window& window, const Slots& slot, AdjustmentProblem& problem) {
   for (const std::int64_t id : window.landmarks) {
     const Landmark& landmark = *map.find(id);
     std::vector<AdjustmentObservation> seen;
@@ -96,6 +85,71 @@ AdjustmentProblem localProblem(const Map& map, int newest, const LocalAdjustment
     problem.points.push_back({id, landmark.p_world});
     problem.observations.insert(problem.observations.end(), seen.begin(), seen.end());
   }
+}
+
+/// The views of one end point as errors across their lines, and one along the first of them.
+void addLineViews(const Map& map, const SegmentLandmark& segment, int end, const Slots& slot,
+                  const LocalAdjustmentParameters& adjust, const SegmentParameters& p, AdjustmentProblem& problem) {
+  const int index = static_cast<int>(problem.ends.size());
+  bool held = false;
+  for (const SegmentView& view : segment.views) {
+    const auto s = slot.find(view.keyframe_id);
+    if (s == slot.end()) continue;
+    const Vec3 q = map.keyframes.at(view.keyframe_id).T_cam_world * segment.p_world[end];
+    if (q.z() < 1e-2) continue;  // a long segment may reach behind a later camera
+    const Vec2 px = map.camera.project(q);
+    const Vec2* ends = view.anchor.px;
+    const ImageLine line = lineThrough(ends[0], ends[1]);
+    const double sigma = p.pose_sigma * p.line_noise_px * (1 << view.anchor.level);
+    problem.line_views.push_back({s->second, index, line.closest(px), line.normal,
+                                  sigma * std::sqrt(lineVariance(ends[0], ends[1], px)), false});
+    if (!held) problem.line_views.push_back({s->second, index, px, Vec2(-line.normal.y(), line.normal.x()), sigma, true});
+    held = true;
+  }
+  const SegmentView& first = segment.views.front();
+  const auto s = slot.find(first.keyframe_id);
+  if (s != slot.end() && segment.prior_sigma[end] > 0)
+    problem.depths.push_back({s->second, index, first.anchor.f[end], segment.prior[end],
+                              std::hypot(segment.prior_sigma[end], adjust.depth_floor * segment.prior[end])});
+  problem.ends.push_back({segment.id, end, segment.p_world[end]});
+}
+
+void addSegments(const Map& map, const Window& window, const Slots& slot, const LocalAdjustmentParameters& adjust,
+                 const SegmentParameters& p, AdjustmentProblem& problem) {
+  std::set<std::int64_t> ids;
+  for (const int id : window.free) {
+    const auto& seen = map.keyframes.at(id).segments;
+    ids.insert(seen.begin(), seen.end());
+  }
+  for (const std::int64_t id : ids) {
+    const auto it = map.segments.find(id);
+    if (it == map.segments.end()) continue;
+    const auto& views = it->second.views;
+    const auto known = [&](const SegmentView& v) { return slot.count(v.keyframe_id) > 0; };
+    if (std::count_if(views.begin(), views.end(), known) < adjust.segment_views) continue;
+    for (int end = 0; end < 2; ++end) addLineViews(map, it->second, end, slot, adjust, p, problem);
+  }
+}
+
+}  // namespace
+
+AdjustmentProblem localProblem(const Map& map, int newest, const LocalAdjustmentParameters& p,
+                               const SegmentParameters& segments) {
+  AdjustmentProblem problem;
+  problem.camera = map.camera;
+  const auto it = map.keyframes.find(newest);
+  // The two keyframes of the start were adjusted by the start itself.
+  if (it == map.keyframes.end() || map.keyframes.size() < 3) return problem;
+  const Window window = chooseWindow(map, it->second, p);
+  Slots slot;
+  for (const auto& [id, keyframe] : map.keyframes) {
+    const bool fixed = window.fixed.count(id) > 0;
+    if (!fixed && !window.free.count(id)) continue;
+    slot[id] = static_cast<int>(problem.keyframes.size());
+    problem.keyframes.push_back({id, keyframe.T_cam_world, fixed});
+  }
+  addPoints(map, window, slot, problem);
+  if (segments.enabled) addSegments(map, window, slot, p, segments, problem);
   return problem;
 }
 

@@ -55,7 +55,7 @@ struct Landmark {
   FeatureType type = FeatureType::corner;
   std::vector<LandmarkObservation> observations;  ///< first: where it was detected
   double sigma = 0;                  ///< of inverse distance in the first observation
-  int succeeded = 0, failed = 0;     ///< feature alignments
+  int succeeded = 0, failed = 0;     ///< frames that tried it: inlier of the pose or not
   double score = 0;
 };
 
@@ -104,6 +104,8 @@ struct Map {
     const auto it = keyframes.find(id);
     return it == keyframes.end() ? nullptr : &it->second;
   }
+
+  const Keyframe* findKeyframe(int id) const { return const_cast<Map*>(this)->findKeyframe(id); }
 
   Landmark& addLandmark(const Vec3& p_world, FeatureType type);
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);

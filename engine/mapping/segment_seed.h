@@ -39,7 +39,7 @@ struct SegmentParameters {
   double pose_sigma = 2;             ///< noise of a segment relative to a corner
   double min_scale = 0.3;            ///< floor of the robust scale, relative to line_noise_px
   double max_error_px = 2;           ///< an end point farther from its line makes an outlier
-  int max_failures = 10;             ///< failed alignments before a segment is deleted
+  int max_failures = 10;             ///< a segment that failed more often, and often, is deleted
 };
 
 /// What one view saw: end points on the measured line, level-0 px, with unit bearings.
@@ -84,7 +84,7 @@ struct SegmentLandmark {
   std::vector<SegmentView> views;    ///< first: where it was detected
   /// What the seed knew when promoted: inverse distance in the first view and its sigma.
   double prior[2] = {0, 0}, prior_sigma[2] = {0, 0};
-  int succeeded = 0, failed = 0;
+  int succeeded = 0, failed = 0;     ///< frames that tried it: inlier of the pose or not
 };
 
 /// The segments' part of a mapping job and of its result.

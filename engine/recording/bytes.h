@@ -21,7 +21,8 @@ class ByteWriter {
     bytes_.push_back(static_cast<unsigned char>(value));
   }
   void integer(std::int64_t value) {
-    unsignedInteger((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+    unsignedInteger((static_cast<std::uint64_t>(value) << 1) ^
+                    static_cast<std::uint64_t>(value >> 63));
   }
   void clear() { bytes_.clear(); }
   const unsigned char* data() const { return bytes_.data(); }

@@ -36,8 +36,10 @@ class ChangeLog {
     }
     for (; applied_ < wanted; ++applied_) {
       const Change& c = changes_[applied_];
-      if (c.gone) now_.erase(c.value.id);
-      else now_.insert_or_assign(c.value.id, &c.value);
+      if (c.gone)
+        now_.erase(c.value.id);
+      else
+        now_.insert_or_assign(c.value.id, &c.value);
     }
     auto list = std::make_shared<std::vector<Value>>();
     list->reserve(now_.size());

@@ -13,7 +13,8 @@ const Names& namesOf<TrackingState>() {
 
 template <>
 const Names& namesOf<EventKind>() {
-  static const Names names{"info", "initialized", "keyframe", "lost", "relocalized", "warning", "reset", "finished", "error"};
+  static const Names names{"info",    "initialized", "keyframe", "lost", "relocalized",
+                           "warning", "reset",       "finished", "error"};
   return names;
 }
 
@@ -43,13 +44,16 @@ const Names& namesOf<SeedStatus>() {
 
 template <>
 const Names& namesOf<SearchOutcome>() {
-  static const Names names{"none", "matched", "no_match", "out_of_view", "low_parallax", "edge_parallel", "tracked"};
+  static const Names names{"none",         "matched",       "no_match", "out_of_view",
+                           "low_parallax", "edge_parallel", "tracked"};
   return names;
 }
 
 template <>
 const Names& namesOf<SeedEnding>() {
-  static const Names names{"none", "inlier_ratio", "no_depth", "not_finite", "keyframe_removed", "out_of_sight", "promoted"};
+  static const Names names{"none",       "inlier_ratio",     "no_depth",
+                           "not_finite", "keyframe_removed", "out_of_sight",
+                           "promoted"};
   return names;
 }
 

@@ -14,14 +14,22 @@ namespace svoscope {
 template <typename T>
 const std::vector<const char*>& namesOf();
 
-template <> const std::vector<const char*>& namesOf<TrackingState>();
-template <> const std::vector<const char*>& namesOf<EventKind>();
-template <> const std::vector<const char*>& namesOf<FeatureType>();
-template <> const std::vector<const char*>& namesOf<FeatureOrigin>();
-template <> const std::vector<const char*>& namesOf<FeatureStatus>();
-template <> const std::vector<const char*>& namesOf<SeedStatus>();
-template <> const std::vector<const char*>& namesOf<SearchOutcome>();
-template <> const std::vector<const char*>& namesOf<SeedEnding>();
+template <>
+const std::vector<const char*>& namesOf<TrackingState>();
+template <>
+const std::vector<const char*>& namesOf<EventKind>();
+template <>
+const std::vector<const char*>& namesOf<FeatureType>();
+template <>
+const std::vector<const char*>& namesOf<FeatureOrigin>();
+template <>
+const std::vector<const char*>& namesOf<FeatureStatus>();
+template <>
+const std::vector<const char*>& namesOf<SeedStatus>();
+template <>
+const std::vector<const char*>& namesOf<SearchOutcome>();
+template <>
+const std::vector<const char*>& namesOf<SeedEnding>();
 
 template <typename T>
 const char* nameOf(T value) {
@@ -42,7 +50,8 @@ T valueOf(const std::string& name) {
 
 template <typename T>
 T valueOfCode(std::int64_t code) {
-  return code >= 0 && code < static_cast<std::int64_t>(namesOf<T>().size()) ? static_cast<T>(code) : T{};
+  return code >= 0 && code < static_cast<std::int64_t>(namesOf<T>().size()) ? static_cast<T>(code)
+                                                                            : T{};
 }
 
 }  // namespace svoscope

@@ -7,7 +7,8 @@ namespace svoscope {
 
 bool looksLikeRecording(const std::filesystem::path& file) {
   std::error_code ec;
-  return std::filesystem::is_regular_file(file, ec) && (file.extension() == ".svoscope" || isSqliteFile(file));
+  return std::filesystem::is_regular_file(file, ec) &&
+         (file.extension() == ".svoscope" || isSqliteFile(file));
 }
 
 Result<std::unique_ptr<Runner>> openRun(const std::string& spec, const RunnerOptions& options) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One way to open whatever can be looked at: a sequence, which the engine then runs, or a recording.
+// One way to open whatever can be looked at: a sequence, which the engine then runs, or a
+// recording.
 #pragma once
 
 #include <filesystem>

@@ -30,7 +30,9 @@ void Recorder::push(Item item) {
 }
 
 void Recorder::begin(const RunInfo& info) { push(info); }
-void Recorder::parameters(const std::vector<ParameterView>& parameters, int from) { push(ParameterSet{parameters, from}); }
+void Recorder::parameters(const std::vector<ParameterView>& parameters, int from) {
+  push(ParameterSet{parameters, from});
+}
 void Recorder::frame(const SnapshotPtr& snapshot) { push(snapshot); }
 void Recorder::note(const Event& event) { push(event); }
 void Recorder::reset() { push(Reset{}); }
@@ -39,7 +41,8 @@ Status Recorder::write(const Item& item) {
   if (const auto* snapshot = std::get_if<SnapshotPtr>(&item)) return writer_->frame(**snapshot);
   if (const auto* info = std::get_if<RunInfo>(&item)) return writer_->run(*info);
   if (const auto* event = std::get_if<Event>(&item)) return writer_->event(*event);
-  if (const auto* set = std::get_if<ParameterSet>(&item)) return writer_->parameters(set->values, set->from);
+  if (const auto* set = std::get_if<ParameterSet>(&item))
+    return writer_->parameters(set->values, set->from);
   return writer_->reset();
 }
 

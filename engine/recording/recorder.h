@@ -21,8 +21,8 @@ class Recorder : public RunObserver {
   Recorder() = default;
   ~Recorder() override;  ///< closes
 
-  /// Makes the file anew and writes from now on. Output error if it cannot be written. Call it when the
-  /// runner was made and before its first frame: what the runner said of itself is waiting.
+  /// Makes the file anew and writes from now on. Output error if it cannot be written. Call it when
+  /// the runner was made and before its first frame: what the runner said of itself is waiting.
   Status start(const std::filesystem::path& file, const RecordingOptions& options);
 
   void begin(const RunInfo& info) override;
@@ -53,7 +53,7 @@ class Recorder : public RunObserver {
   std::unique_ptr<RecordingWriter> writer_;  ///< writing thread only, until it was joined
   BlockingQueue<Item> queue_;
   std::atomic<bool> failed_{false};
-  std::mutex mutex_;                         ///< guards outcome_
+  std::mutex mutex_;  ///< guards outcome_
   Status outcome_ = Done{};
   std::thread thread_;
 };

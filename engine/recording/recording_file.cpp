@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 namespace {
 
 Error notARecording(const fs::path& file, const std::string& why) {
-  return inputError("is not a recording: " + why, file.string(), "recordings are made by svoscope run --record");
+  return inputError("is not a recording: " + why, file.string(),
+                    "recordings are made by svoscope run --record");
 }
 
 std::vector<double> numbersOf(const std::string& text) {
@@ -30,17 +31,22 @@ std::string select(const ColumnList& columns, const std::string& further, const 
 
 Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const fs::path& file) {
   std::error_code ec;
-  if (!fs::is_regular_file(file, ec)) return inputError("there is no such file", file.string(), "check the path");
-  if (!isSqliteFile(file)) return notARecording(file, fs::file_size(file, ec) == 0 ? "the file is empty" : "it is no SQLite file");
+  if (!fs::is_regular_file(file, ec))
+    return inputError("there is no such file", file.string(), "check the path");
+  if (!isSqliteFile(file))
+    return notARecording(
+        file, fs::file_size(file, ec) == 0 ? "the file is empty" : "it is no SQLite file");
   std::string problem;
   auto database = Database::open(file, Database::Mode::read, problem);
-  if (!database) return inputError("cannot be opened: " + problem, file.string(), "check its permissions");
+  if (!database)
+    return inputError("cannot be opened: " + problem, file.string(), "check its permissions");
   std::unique_ptr<RecordingFile> recording(new RecordingFile(file, std::move(database)));
   const Status known = recording->identify();
   if (!known.ok()) return known.error();
   if (!recording->load()) return recording->damaged(recording->database_->problem());
   if (recording->frames_.empty())
-    return inputError("the recording has no frames", file.string(), "the run ended before its first frames were written");
+    return inputError("the recording has no frames", file.string(),
+                      "the run ended before its first frames were written");
   return recording;
 }
 
@@ -49,11 +55,17 @@ RecordingFile::RecordingFile(fs::path file, std::unique_ptr<Database> database)
 
 Error RecordingFile::damaged(const std::string& what) const {
   return inputError("the recording is damaged: " + what, file_.string(),
-                    "copy it anew; 'sqlite3 FILE .recover' may save what is left");
+                    "copy it anew, or record the run again");
 }
 
 Status RecordingFile::identify() {
-  const std::int64_t id = database_->integer("PRAGMA application_id"), version = database_->integer("PRAGMA user_version");
+  std::error_code ec;
+  const auto size = static_cast<std::int64_t>(fs::file_size(file_, ec));
+  const bool has_log = fs::exists(file_.string() + "-wal", ec);  // may hold what the file lacks
+  if (const std::int64_t wanted = sizeByHeader(file_); !has_log && size < wanted)
+    return damaged(fmt::format("it ends after {} of {} bytes", size, wanted));
+  const std::int64_t id = database_->integer("PRAGMA application_id"),
+                     version = database_->integer("PRAGMA user_version");
   if (id < 0 && database_->damaged()) return damaged(database_->problem());
   if (id < 0) {
     return inputError("cannot be read: " + database_->problem(), file_.string(),
@@ -61,21 +73,19 @@ Status RecordingFile::identify() {
   }
   if (id != kRecordingId) return notARecording(file_, "another program's SQLite file");
   if (version > kSchemaVersion) {
-    return inputError(fmt::format("written by a newer svoscope (format {}, this one reads up to {})", version, kSchemaVersion),
-                      file_.string(), "update svoscope");
+    return inputError(
+        fmt::format("written by a newer svoscope (format {}, this one reads up to {})", version,
+                    kSchemaVersion),
+        file_.string(), "update svoscope");
   }
-  std::error_code ec;
-  const auto size = static_cast<std::int64_t>(fs::file_size(file_, ec));
-  const std::int64_t wanted = database_->integer("PRAGMA page_count") * database_->integer("PRAGMA page_size");
-  const bool has_log = fs::exists(file_.string() + "-wal", ec) && fs::file_size(file_.string() + "-wal", ec) > 0;
-  if (!has_log && size < wanted) return damaged(fmt::format("it ends after {} of {} bytes", size, wanted));
   // Larger than any recording's index, small against its images: pages are read in place.
   (void)database_->run("PRAGMA mmap_size = 1073741824");
   return Done{};
 }
 
 bool RecordingFile::load() {
-  return loadRun() && loadFrames() && loadParameters() && loadKeyframes() && loadPoints() && prepare();
+  return loadRun() && loadFrames() && loadParameters() && loadKeyframes() && loadPoints() &&
+         prepare();
 }
 
 bool RecordingFile::loadRun() {
@@ -87,7 +97,8 @@ bool RecordingFile::loadRun() {
   const Result<Distortion> distortion = parseDistortion(query.text());
   original.distortion = distortion.ok() ? distortion.value() : Distortion::none;
   original.coefficients = numbersOf(query.text());
-  Query truth(*database_, "SELECT timestamp, tx, ty, tz, qx, qy, qz, qw FROM ground_truth ORDER BY n");
+  Query truth(*database_,
+              "SELECT timestamp, tx, ty, tz, qx, qy, qz, qw FROM ground_truth ORDER BY n");
   while (truth.next()) {
     StampedPose pose;
     pose.timestamp = truth.real();
@@ -120,7 +131,8 @@ bool RecordingFile::loadFrames() {
 }
 
 bool RecordingFile::loadParameters() {
-  Query query(*database_, select(parameterColumns(), ", from_frame", "parameters ORDER BY from_frame, n"));
+  Query query(*database_,
+              select(parameterColumns(), ", from_frame", "parameters ORDER BY from_frame, n"));
   while (query.next()) {
     ParameterChange change;
     GetColumns get(query);
@@ -132,8 +144,11 @@ bool RecordingFile::loadParameters() {
 }
 
 bool RecordingFile::loadKeyframes() {
-  Query query(*database_, select(keyframeColumns(), ", keyframes.frame, p.frame, gone",
-                                 "keyframe_poses AS p JOIN keyframes USING (keyframe_id) ORDER BY p.frame, keyframe_id"));
+  Query query(
+      *database_,
+      select(
+          keyframeColumns(), ", keyframes.frame, p.frame, gone",
+          "keyframe_poses AS p JOIN keyframes USING (keyframe_id) ORDER BY p.frame, keyframe_id"));
   while (query.next()) {
     ChangeLog<KeyframeView>::Change change;
     GetColumns get(query);
@@ -167,18 +182,26 @@ bool RecordingFile::prepare() {
     return query.valid();
   };
   return complete.valid() && !complete.failed() &&
-         make(select_features_, select(featureColumns(), "", "features WHERE row >= ? AND row < ? ORDER BY row")) &&
-         make(select_updates_, select(seedUpdateColumns(), "", "seed_updates WHERE row >= ? AND row < ? ORDER BY row")) &&
-         make(select_states_, "SELECT frame, data FROM seed_states WHERE frame > ? AND frame <= ? ORDER BY frame") &&
+         make(select_features_,
+              select(featureColumns(), "", "features WHERE row >= ? AND row < ? ORDER BY row")) &&
+         make(select_updates_, select(seedUpdateColumns(), "",
+                                      "seed_updates WHERE row >= ? AND row < ? ORDER BY row")) &&
+         make(
+             select_states_,
+             "SELECT frame, data FROM seed_states WHERE frame > ? AND frame <= ? ORDER BY frame") &&
          make(select_image_, "SELECT jpeg FROM images WHERE frame = ?");
 }
 
 std::vector<ParameterView> RecordingFile::parameters(int frame) const {
   std::vector<ParameterView> views;
   for (const ParameterChange& change : parameters_) {
-    const auto known = std::find_if(views.begin(), views.end(), [&](const ParameterView& v) { return v.key == change.view.key; });
-    if (known == views.end()) views.push_back(change.view);
-    else if (change.from <= frame) *known = change.view;
+    const auto known = std::find_if(views.begin(), views.end(), [&](const ParameterView& v) {
+      return v.key == change.view.key;
+    });
+    if (known == views.end())
+      views.push_back(change.view);
+    else if (change.from <= frame)
+      *known = change.view;
   }
   return views;
 }

@@ -21,11 +21,11 @@ class RecordingFile {
   struct FrameRow {
     FrameRecord record;
     std::uint64_t snapshot = 0;
-    bool readable = true;      ///< the frame's image could be read when the run was recorded
+    bool readable = true;  ///< the frame's image could be read when the run was recorded
   };
   struct EventRow {
     Event event;
-    int shown_in = -1;         ///< frame of the snapshot that has it; -1: none
+    int shown_in = -1;  ///< frame of the snapshot that has it; -1: none
   };
 
   /// Input error that tells apart: no recording, written by a newer version, damaged, cut off.
@@ -78,11 +78,11 @@ class RecordingFile {
   std::vector<ParameterChange> parameters_;
   ChangeLog<KeyframeView> keyframes_;
   ChangeLog<MapPointView> points_;
-  std::vector<int> complete_seeds_;     ///< frames whose blob stands for itself
-  SeedIndex seeds_;                     ///< unpacked last
+  std::vector<int> complete_seeds_;  ///< frames whose blob stands for itself
+  SeedIndex seeds_;                  ///< unpacked last
   int seeds_frame_ = -1;
   std::shared_ptr<const MappingParameters> mapping_;
-  std::size_t mapping_changes_ = 0;     ///< parameters applied to mapping_
+  std::size_t mapping_changes_ = 0;  ///< parameters applied to mapping_
 };
 
 }  // namespace svoscope

@@ -84,8 +84,10 @@ bool RecordingFile::unpackSeeds(int frame) {
   if (after == complete_seeds_.begin()) return false;
   const int complete = *std::prev(after);
   int from = complete - 1;
-  if (seeds_frame_ >= complete && seeds_frame_ <= frame) from = seeds_frame_;
-  else seeds_ = SeedIndex();
+  if (seeds_frame_ >= complete && seeds_frame_ <= frame)
+    from = seeds_frame_;
+  else
+    seeds_ = SeedIndex();
   select_states_.put(from).put(frame);
   bool good = true;
   while (select_states_.next()) {
@@ -157,7 +159,9 @@ std::shared_ptr<const std::vector<cv::Mat>> RecordingFile::pyramid(int frame) {
     const cv::Mat bytes(1, static_cast<int>(size), CV_8UC1, const_cast<unsigned char*>(data));
     image = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
   }
-  if (image.empty() || image.cols != run_.info.camera.width || image.rows != run_.info.camera.height) return nullptr;
+  if (image.empty() || image.cols != run_.info.camera.width ||
+      image.rows != run_.info.camera.height)
+    return nullptr;
   return buildPyramid(image, std::clamp(run_.pyramid_levels, 1, 12));
 }
 

@@ -16,16 +16,20 @@ RecordingRunner::RecordingRunner(std::unique_ptr<RecordingFile> file)
 
 int RecordingRunner::rowOf(int frame_index) const {
   const auto& frames = file_->frames();
-  const auto it = std::lower_bound(frames.begin(), frames.end(), frame_index,
-                                   [](const FrameRow& row, int index) { return row.record.index < index; });
-  return it != frames.end() && it->record.index == frame_index ? static_cast<int>(it - frames.begin()) : -1;
+  const auto it =
+      std::lower_bound(frames.begin(), frames.end(), frame_index,
+                       [](const FrameRow& row, int index) { return row.record.index < index; });
+  return it != frames.end() && it->record.index == frame_index
+             ? static_cast<int>(it - frames.begin())
+             : -1;
 }
 
 bool RecordingRunner::startsAt(int row) const {
   const int frame = frameAt(row);
-  return std::any_of(file_->events().begin(), file_->events().end(), [&](const RecordingFile::EventRow& e) {
-    return e.shown_in == frame && e.event.kind == EventKind::initialized;
-  });
+  return std::any_of(file_->events().begin(), file_->events().end(),
+                     [&](const RecordingFile::EventRow& e) {
+                       return e.shown_in == frame && e.event.kind == EventKind::initialized;
+                     });
 }
 
 void RecordingRunner::goTo(int row) {
@@ -36,20 +40,26 @@ void RecordingRunner::goTo(int row) {
   const int frame = frameAt(furthest_);
   while (recorded_events_ < all.size() && all[recorded_events_].shown_in <= frame)
     events_.push_back(all[recorded_events_++].event);
+  if (furthest_ < lastRow() || file_->run().complete || told_incomplete_) return;
+  told_incomplete_ = true;
+  events_.push_back({frame, EventKind::warning,
+                     "the recording was not closed: its run was killed, or still goes on"});
 }
 
 int RecordingRunner::nextRow(const Command& command) const {
   const auto& frames = file_->frames();
   if (command.kind == Command::Kind::step) return row_ + 1;
   if (command.kind == Command::Kind::run_to_frame) {
-    const auto it = std::lower_bound(frames.begin(), frames.end(), command.frame,
-                                     [](const FrameRow& row, int index) { return row.record.index < index; });
+    const auto it =
+        std::lower_bound(frames.begin(), frames.end(), command.frame,
+                         [](const FrameRow& row, int index) { return row.record.index < index; });
     return static_cast<int>(it - frames.begin());
   }
   for (int row = row_ + 1; row <= lastRow(); ++row) {
     const FrameRecord& record = frames[static_cast<std::size_t>(row)].record;
     if (command.kind == Command::Kind::run_to_keyframe && record.is_keyframe) return row;
-    if (command.kind == Command::Kind::run_to_loss && record.state == TrackingState::lost) return row;
+    if (command.kind == Command::Kind::run_to_loss && record.state == TrackingState::lost)
+      return row;
     if (command.kind == Command::Kind::run_to_start && startsAt(row)) return row;
   }
   return lastRow();
@@ -72,10 +82,12 @@ void RecordingRunner::send(const Command& command) {
     case Command::Kind::reset:
       row_ = furthest_ = -1;
       recorded_events_ = 0;
+      told_incomplete_ = false;
       events_.clear();
       ++generation_;
       break;
-    default: break;
+    default:
+      break;
   }
   next_time_ = {};
   playback_.handle(command);
@@ -87,8 +99,10 @@ bool RecordingRunner::pump() {
   const auto now = std::chrono::steady_clock::now();
   if (playback_.speed() > 0) {
     if (now < next_time_) return false;
-    const auto interval = std::chrono::microseconds(static_cast<std::int64_t>(1e6 / playback_.speed()));
-    next_time_ = std::max(next_time_, now - interval) + interval;
+    const auto interval =
+        std::chrono::microseconds(static_cast<std::int64_t>(1e6 / playback_.speed()));
+    next_time_ = (now - next_time_ > interval ? now : next_time_) +
+                 interval;  // no catching up after a pause
   }
   if (row_ < lastRow()) goTo(row_ + 1);
   if (row_ >= lastRow()) playback_.finish();
@@ -114,7 +128,8 @@ SnapshotPtr RecordingRunner::values(int row) const {
   auto read = file_->values(static_cast<std::size_t>(row));
   if (!read.ok()) events_.push_back({frameAt(row), EventKind::error, read.error().what});
   // Of a damaged frame its row is left.
-  const SnapshotPtr snapshot = read.ok() ? std::move(read).value() : file_->rowOnly(static_cast<std::size_t>(row));
+  const SnapshotPtr snapshot =
+      read.ok() ? std::move(read).value() : file_->rowOnly(static_cast<std::size_t>(row));
   values_.add(row, snapshot, snapshot->bytes);
   return snapshot;
 }

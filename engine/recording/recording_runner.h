@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Plays a recording back as if the engine ran: frames come by step, play and run_to_*, rows and events
-// up to the furthest frame that was reached. Nothing is computed, so run_to_* jumps, run_to_frame
-// backwards too; at() reaches every frame of the recording at any time. Parameters cannot be set: the
-// wish becomes a warning event.
+// Plays a recording back as if the engine ran: frames come by step, play and run_to_*, rows and
+// events up to the furthest frame that was reached. Nothing is computed, so run_to_* jumps,
+// run_to_frame backwards too; at() reaches every frame of the recording at any time. Parameters
+// cannot be set: the wish becomes a warning event.
 #pragma once
 
 #include <chrono>
@@ -31,13 +31,10 @@ class RecordingRunner : public Runner {
   std::vector<ParameterView> parameters() const override;
   int generation() const override;
 
-  /// The run was closed in order; else it was killed, and the recording ends where it was.
-  bool complete() const { return file_->run().complete; }
-
  private:
   using FrameRow = RecordingFile::FrameRow;
 
-  int rowOf(int frame_index) const;                ///< -1 if the recording has no such frame
+  int rowOf(int frame_index) const;  ///< -1 if the recording has no such frame
   void goTo(int row);
   int nextRow(const Command& command) const;
   int frameAt(int row) const { return file_->frames()[static_cast<std::size_t>(row)].record.index; }
@@ -46,14 +43,15 @@ class RecordingRunner : public Runner {
   SnapshotPtr values(int row) const;
   SnapshotPtr whole(int row) const;
 
-  mutable std::mutex mutex_;                       ///< guards everything below
+  mutable std::mutex mutex_;  ///< guards everything below
   const std::unique_ptr<RecordingFile> file_;
   mutable LruCache<SnapshotPtr> values_, wholes_;
   Playback playback_;
-  int row_ = -1;                                   ///< reached now; -1: before the first
-  int furthest_ = -1;                              ///< reached since the last reset
-  std::size_t recorded_events_ = 0;                ///< of the file, published
-  mutable std::vector<Event> events_;              ///< published
+  int row_ = -1;                       ///< reached now; -1: before the first
+  int furthest_ = -1;                  ///< reached since the last reset
+  bool told_incomplete_ = false;
+  std::size_t recorded_events_ = 0;    ///< of the file, published
+  mutable std::vector<Event> events_;  ///< published
   int generation_ = 0;
   std::chrono::steady_clock::time_point next_time_{};
 };

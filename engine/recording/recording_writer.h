@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes the tables of a recording, in the caller's thread. What is written becomes part of the file
-// with commit(): a process that is killed loses at most what came after.
+// Writes the tables of a recording, in the caller's thread. What is written becomes part of the
+// file with commit(): a process that is killed loses at most what came after.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,8 @@ struct RecordingOptions {
 class RecordingWriter {
  public:
   /// Makes the file anew. Output error if the folder or the file cannot be written.
-  static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file, const RecordingOptions& options);
+  static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
+                                                         const RecordingOptions& options);
 
   // Each is an output error if the file cannot be written, for example on a full disk.
   Status run(const RunInfo& info);  ///< once, first
@@ -37,7 +38,8 @@ class RecordingWriter {
   Status close();
 
  private:
-  RecordingWriter(std::filesystem::path file, std::unique_ptr<Database> database, const RecordingOptions& options);
+  RecordingWriter(std::filesystem::path file, std::unique_ptr<Database> database,
+                  const RecordingOptions& options);
   Status begin();
   bool writeRun(const RunInfo& info);
   bool writeGroundTruth(const Trajectory& truth);
@@ -57,8 +59,9 @@ class RecordingWriter {
   std::unique_ptr<Database> database_;  ///< first: outlives the statements
   std::filesystem::path file_;
   RecordingOptions options_;
-  Query insert_frame_, insert_feature_, insert_update_, insert_seed_, end_seed_, insert_states_, insert_keyframe_,
-      insert_pose_, insert_point_, insert_event_, insert_image_, insert_parameter_;
+  Query insert_frame_, insert_feature_, insert_update_, insert_seed_, end_seed_, insert_states_,
+      insert_keyframe_, insert_pose_, insert_point_, insert_event_, insert_image_,
+      insert_parameter_;
   bool in_transaction_ = false, levels_written_ = false;
   int events_ = 0, since_key_ = 0;
   std::vector<ParameterView> last_parameters_;

@@ -4,16 +4,17 @@
 
 #include <string>
 
-#include "engine/recording/columns.h"
+#include "engine/recording/column_io.h"
 #include "engine/runner/runner.h"
 
 namespace svoscope {
 
 constexpr std::int64_t kRecordingId = 0x53564f53;  ///< PRAGMA application_id: "SVOS"
-constexpr std::int64_t kSchemaVersion = 1;         ///< PRAGMA user_version; grows when the tables change
-constexpr int kSeedKeyInterval = 32;               ///< frames from one complete seed blob to the next
+constexpr std::int64_t kSchemaVersion = 1;  ///< PRAGMA user_version; grows when the tables change
+constexpr int kSeedKeyInterval = 32;        ///< frames from one complete seed blob to the next
 
-/// Key of the n-th feature or seed update of a frame: those of a frame lie side by side, without an index.
+/// Key of the n-th feature or seed update of a frame: those of a frame lie side by side, without an
+/// index.
 constexpr std::int64_t kRowsPerFrame = 1 << 16;
 constexpr std::int64_t rowKey(int frame, int n) { return frame * kRowsPerFrame + n; }
 
@@ -41,10 +42,10 @@ std::string schemaSql();
 /// What is in the row of table `run` beside the ground truth.
 struct RunRow {
   RunInfo info;
-  std::string version;      ///< of the program that wrote it
+  std::string version;  ///< of the program that wrote it
   int jpeg_quality = 0;
   int pyramid_levels = 0;
-  bool complete = false;    ///< the recording was closed in order
+  bool complete = false;  ///< the recording was closed in order
 };
 
 template <typename R, typename F>
@@ -55,7 +56,9 @@ void visitRun(R& r, F&& f) {
   f("frames", r.info.frames);
   f("rate_hz", r.info.rate_hz);
   visitPinhole(r.info.camera, f);
-  const auto original = [&](const char* name, auto& field) { f((std::string("original_") + name).c_str(), field); };
+  const auto original = [&](const char* name, auto& field) {
+    f((std::string("original_") + name).c_str(), field);
+  };
   visitPinhole(r.info.original_camera.pinhole, original);
   f("original_rate_hz", r.info.original_camera.rate_hz);
   f("jpeg_quality", r.jpeg_quality);

@@ -18,17 +18,24 @@ bool same(const T& a, const T& b) {
 
 template <typename T>
 void write(ByteWriter& out, const T& v) {
-  if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) out.integer(static_cast<std::int64_t>(v));
-  else if constexpr (std::is_same_v<T, Vec2f>) out.raw(v.x()), out.raw(v.y());
-  else out.raw(v);
+  if constexpr (std::is_enum_v<T> || std::is_integral_v<T>)
+    out.integer(static_cast<std::int64_t>(v));
+  else if constexpr (std::is_same_v<T, Vec2f>)
+    out.raw(v.x()), out.raw(v.y());
+  else
+    out.raw(v);
 }
 
 template <typename T>
 void read(ByteReader& in, T& v) {
-  if constexpr (std::is_enum_v<T>) v = valueOfCode<T>(in.integer());
-  else if constexpr (std::is_integral_v<T>) v = static_cast<T>(in.integer());
-  else if constexpr (std::is_same_v<T, Vec2f>) in.raw(v.x()), in.raw(v.y());
-  else in.raw(v);
+  if constexpr (std::is_enum_v<T>)
+    v = valueOfCode<T>(in.integer());
+  else if constexpr (std::is_integral_v<T>)
+    v = static_cast<T>(in.integer());
+  else if constexpr (std::is_same_v<T, Vec2f>)
+    in.raw(v.x()), in.raw(v.y());
+  else
+    in.raw(v);
 }
 
 /// Calls f(bit, field of a, field of b).

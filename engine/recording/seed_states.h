@@ -24,7 +24,7 @@ class SeedIndex {
 
  private:
   List seeds_;
-  mutable std::size_t next_ = 0;  ///< where the next one is expected
+  mutable std::size_t next_ = 0;                              ///< where the next one is expected
   mutable std::unordered_map<std::int64_t, std::size_t> at_;  ///< made when first needed
 };
 

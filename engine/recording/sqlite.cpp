@@ -18,9 +18,25 @@ bool isSqliteFile(const std::filesystem::path& file) {
   return in && std::equal(head, head + sizeof(head), kMagic);
 }
 
-std::unique_ptr<Database> Database::open(const std::filesystem::path& file, Mode mode, std::string& problem) {
-  const int flags = (mode == Mode::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) |
-                    SQLITE_OPEN_NOMUTEX;  // one connection is used by one thread at a time
+std::int64_t sizeByHeader(const std::filesystem::path& file) {
+  unsigned char head[100] = {};  // SQLite database file format, section 1.3
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(head), sizeof(head));
+  if (!in) return sizeof(head);
+  const auto number = [&](int at, int bytes) {
+    std::int64_t value = 0;
+    for (int i = 0; i < bytes; ++i) value = value << 8 | head[at + i];
+    return value;
+  };
+  const std::int64_t page = number(16, 2) == 1 ? 65536 : number(16, 2);
+  return number(24, 4) == number(92, 4) ? page * number(28, 4) : 0;
+}
+
+std::unique_ptr<Database> Database::open(const std::filesystem::path& file, Mode mode,
+                                         std::string& problem) {
+  const int flags =
+      (mode == Mode::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) |
+      SQLITE_OPEN_NOMUTEX;  // one connection is used by one thread at a time
   sqlite3* db = nullptr;
   const int code = sqlite3_open_v2(file.c_str(), &db, flags, nullptr);
   std::unique_ptr<Database> database(new Database(db));
@@ -34,7 +50,9 @@ std::unique_ptr<Database> Database::open(const std::filesystem::path& file, Mode
 
 Database::~Database() { sqlite3_close(db_); }
 
-bool Database::run(const std::string& sql) { return sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK; }
+bool Database::run(const std::string& sql) {
+  return sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+}
 
 std::int64_t Database::integer(const std::string& sql, std::int64_t otherwise) {
   Query query(*this, sql);
@@ -49,7 +67,8 @@ bool Database::damaged() const {
 }
 
 Query::Query(Database& database, const std::string& sql) {
-  if (sqlite3_prepare_v2(database.handle(), sql.c_str(), static_cast<int>(sql.size()), &statement_, nullptr) != SQLITE_OK)
+  if (sqlite3_prepare_v2(database.handle(), sql.c_str(), static_cast<int>(sql.size()), &statement_,
+                         nullptr) != SQLITE_OK)
     statement_ = nullptr;
 }
 
@@ -73,7 +92,8 @@ Query& Query::put(double value) {
 }
 
 Query& Query::put(const std::string& text) {
-  sqlite3_bind_text(statement_, ++parameter_, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
+  sqlite3_bind_text(statement_, ++parameter_, text.data(), static_cast<int>(text.size()),
+                    SQLITE_STATIC);
   return *this;
 }
 
@@ -120,7 +140,8 @@ std::int64_t Query::integer() { return sqlite3_column_int64(statement_, column_+
 
 double Query::real() {
   const int column = column_++;
-  if (sqlite3_column_type(statement_, column) == SQLITE_NULL) return std::numeric_limits<double>::quiet_NaN();
+  if (sqlite3_column_type(statement_, column) == SQLITE_NULL)
+    return std::numeric_limits<double>::quiet_NaN();
   return sqlite3_column_double(statement_, column);
 }
 
@@ -128,7 +149,8 @@ std::string Query::text() {
   const int column = column_++;
   const auto* text = sqlite3_column_text(statement_, column);
   if (!text) return "";
-  return {reinterpret_cast<const char*>(text), static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
+  return {reinterpret_cast<const char*>(text),
+          static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
 }
 
 const unsigned char* Query::blob(std::size_t& size) {

@@ -15,13 +15,16 @@ namespace svoscope {
 
 /// The file begins as every SQLite file does.
 bool isSqliteFile(const std::filesystem::path& file);
+/// Bytes that the file should have by its header; 0 if that cannot be told.
+std::int64_t sizeByHeader(const std::filesystem::path& file);
 
 class Database {
  public:
   enum class Mode { read, create };
 
   /// Null if it cannot be opened; `problem` says why.
-  static std::unique_ptr<Database> open(const std::filesystem::path& file, Mode mode, std::string& problem);
+  static std::unique_ptr<Database> open(const std::filesystem::path& file, Mode mode,
+                                        std::string& problem);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -32,7 +35,7 @@ class Database {
   std::int64_t integer(const std::string& sql, std::int64_t otherwise = -1);
 
   std::string problem() const;  ///< of the last call that failed
-  bool damaged() const;         ///< the last failure: the file is no database, or its pages are wrong
+  bool damaged() const;  ///< the last failure: the file is no database, or its pages are wrong
   sqlite3* handle() const { return db_; }
 
  private:
@@ -64,7 +67,8 @@ class Query {
 
   /// Carries a statement without results out and makes it ready for the next parameters.
   bool run();
-  /// Goes to the next row. False at the end or on failure (see failed()), the statement is ready again.
+  /// Goes to the next row. False at the end or on failure (see failed()), the statement is ready
+  /// again.
   bool next();
   bool failed() const { return failed_; }
   void reset();

@@ -66,6 +66,7 @@ void Engine::refreshRecord() {
 
 SnapshotPtr Engine::snapshot() {
   Stopwatch watch;
+  if (finished()) builder_.showMapAnew();  // the last one is what remains of the run
   std::shared_ptr<Snapshot> s = image_good_ ? builder_.build(tracker_) : builder_.buildEmpty();
   record_.time_ms[static_cast<int>(Stage::snapshot)] = watch.ms();
   s->record = record_;

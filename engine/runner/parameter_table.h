@@ -85,6 +85,8 @@ void visitAdjustment(P& p, F&& f) {
   f(ParameterInfo{"adjust.max_iterations", "", "Levenberg-Marquardt steps", 1, 100}, b.max_iterations);
   f(ParameterInfo{"adjust.robust_px", "px", "scale of the Huber loss, times 2^level", 0.05, 20}, b.robust_px);
   f(ParameterInfo{"adjust.outlier_px", "px", "views with a larger error are removed, times 2^level", 0.1, 50}, b.outlier_px);
+  f(ParameterInfo{"adjust.segment_views", "", "of a segment in the window, at least", 2, 20}, b.segment_views);
+  f(ParameterInfo{"adjust.depth_floor", "", "least sigma of a segment seed's depth over the depth", 0, 1}, b.depth_floor);
   f(ParameterInfo{"adjust.max_time_ms", "ms", "time box, not in synchronous runs", 1, 10000}, b.max_time_ms);
 }
 

@@ -11,6 +11,12 @@ namespace svoscope {
 
 namespace {
 
+/// Angle of an edgelet's gradient; corners have none.
+float directionOf(const FeatureAnchor& anchor) {
+  if (anchor.type != FeatureType::edgelet) return 0;
+  return static_cast<float>(std::atan2(anchor.gradient_dir.y(), anchor.gradient_dir.x()));
+}
+
 FeatureView featureView(const TrackedFeature& f, const Tracker& tracker) {
   FeatureView v;
   const Frame& frame = tracker.frame();
@@ -24,7 +30,7 @@ FeatureView featureView(const TrackedFeature& f, const Tracker& tracker) {
   if (p.z() > 1e-6 && f.status != FeatureStatus::not_aligned)
     v.predicted_px = tracker.map().camera.project(p).cast<float>();
   v.px = f.status == FeatureStatus::not_aligned ? v.predicted_px : f.anchor.px.cast<float>();
-  v.direction = static_cast<float>(std::atan2(f.anchor.gradient_dir.y(), f.anchor.gradient_dir.x()));
+  v.direction = directionOf(f.anchor);
   v.depth = static_cast<float>(p.z());
   v.residual_px = static_cast<float>(f.error_px);
   v.reference_keyframe = f.keyframe_id;
@@ -56,7 +62,7 @@ SeedView seedState(const Seed& seed, FilterRule rule) {
   v.outcome = seed.outcome;
   v.level = static_cast<std::uint8_t>(seed.anchor.level);
   v.px_ref = seed.anchor.px.cast<float>();
-  v.direction = static_cast<float>(std::atan2(seed.anchor.gradient_dir.y(), seed.anchor.gradient_dir.x()));
+  v.direction = directionOf(seed.anchor);
   v.mu = static_cast<float>(seed.belief.mu);
   v.sigma = static_cast<float>(std::sqrt(seed.belief.sigma2));
   v.a = static_cast<float>(seed.belief.a);

@@ -24,6 +24,8 @@ class SnapshotBuilder {
   std::shared_ptr<Snapshot> build(Tracker& tracker);
   void reset();
   void setPlaced(bool on) { placed_ = on; }
+  /// The next snapshot shows keyframes and points as they are then, whether the map changed or not.
+  void showMapAnew() { keyframes_.reset(); }
   /// The next snapshot gets a new copy of the parameters.
   void parametersChanged() { mapping_.reset(); }
 

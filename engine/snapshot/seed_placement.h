@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a seed's belief lies in the world and in the image: follows from the belief and the poses, and
-// so is computed alike when a snapshot is built and when it is read from a recording.
+// Where a seed's belief lies in the world and in the image: follows from the belief and the poses,
+// and so is computed alike when a snapshot is built and when it is read from a recording.
 #pragma once
 
 #include "engine/snapshot/snapshot.h"
@@ -8,8 +8,8 @@
 namespace svoscope {
 
 struct SeedPlacement {
-  SE3 T_world_kf;            ///< of the seed's keyframe
-  SE3 T_cam_world;           ///< of the frame
+  SE3 T_world_kf;   ///< of the seed's keyframe
+  SE3 T_cam_world;  ///< of the frame
   const Pinhole& camera;
   double search_sigmas = 3;  ///< half width of the span, standard deviations
   bool wanted = true;        ///< off: the seed is left as it is

@@ -37,9 +37,16 @@ bool samplePatch(const cv::Mat& image, double x, double y, int size, float* out)
   return true;
 }
 
-void removeMean(std::vector<float>& v) {
-  Eigen::Map<Eigen::VectorXf> map(v.data(), static_cast<Eigen::Index>(v.size()));
-  map.array() -= map.mean();
+/// In a fixed order. Eigen's mean() adds up what precedes the first aligned address by itself, so that
+/// its last digits depend on where the heap put the values, and with them the whole run.
+void removeMean(float* v, std::size_t n) {
+  constexpr std::size_t kLanes = 8;
+  float lanes[kLanes] = {};
+  for (std::size_t i = 0; i < n; ++i) lanes[i % kLanes] += v[i];
+  float sum = 0;
+  for (const float lane : lanes) sum += lane;
+  const float mean = sum / static_cast<float>(n);
+  for (std::size_t i = 0; i < n; ++i) v[i] -= mean;
 }
 
 /// Warped samples with a border of one for the gradients; empty if outside the image.
@@ -71,9 +78,7 @@ KltTemplate::Level makeLevel(const cv::Mat& image, const Vec2& centre, const Mat
       level.gx.push_back(0.5f * (p[1] - p[-1]));
       level.gy.push_back(0.5f * (p[stride] - p[-stride]));
     }
-  removeMean(level.value);
-  removeMean(level.gx);
-  removeMean(level.gy);
+  for (std::vector<float>* v : {&level.value, &level.gx, &level.gy}) removeMean(v->data(), v->size());
   const Eigen::Index n = static_cast<Eigen::Index>(level.value.size());
   const Floats value(level.value.data(), n), gx(level.gx.data(), n), gy(level.gy.data(), n);
   level.norm = value.norm();
@@ -109,7 +114,7 @@ LevelFit fitLevel(const KltTemplate::Level& level, const cv::Mat& image, const V
     u += step;
     fit.converged = step.norm() < stop;
   }
-  s.array() -= s.mean();
+  removeMean(samples, static_cast<std::size_t>(n));
   fit.correlation = value.dot(s) / (level.norm * std::max(s.norm(), 1e-6f));
   return fit;
 }

@@ -17,8 +17,8 @@ enum class Pass { landmark, converged, unconverged };
 
 struct Candidate {
   Pass pass = Pass::landmark;
-  Landmark* landmark = nullptr;
-  Seed* seed = nullptr;
+  const Landmark* landmark = nullptr;
+  const Seed* seed = nullptr;
   Vec2 px = Vec2::Zero();
   Vec3 p_world = Vec3::Zero();
   int rank = 0;          ///< successes minus failures
@@ -41,7 +41,7 @@ bool projectInside(const Pinhole& camera, const SE3& T_cam_world, const Vec3& p_
 
 class Reprojection {
  public:
-  Reprojection(Map& map, const Frame& frame, const ReprojectorParameters& p, const MappingParameters& m)
+  Reprojection(const Map& map, const Frame& frame, const ReprojectorParameters& p, const MappingParameters& m)
       : map_(map), frame_(frame), p_(p), mapping_(m), c_world_(frame.T_cam_world.inverse().translation()) {
     out_.occupied = OccupancyGrid(map.camera.width, map.camera.height, scaledCell(p.cell_px, map.camera.width));
   }
@@ -68,15 +68,15 @@ class Reprojection {
   void collect() {
     std::unordered_set<std::int64_t> seen;
     for (const int id : out_.local_keyframes) {
-      Keyframe& keyframe = *map_.findKeyframe(id);
+      const Keyframe& keyframe = *map_.findKeyframe(id);
       for (const std::int64_t landmark_id : keyframe.landmarks) {
         if (seen.insert(landmark_id).second) addLandmark(*map_.find(landmark_id));
       }
-      for (Seed& seed : keyframe.seeds) addSeed(seed, keyframe);
+      for (const Seed& seed : keyframe.seeds) addSeed(seed, keyframe);
     }
   }
 
-  void addLandmark(Landmark& landmark) {
+  void addLandmark(const Landmark& landmark) {
     ++out_.candidates;
     Candidate c;
     if (!projectInside(map_.camera, frame_.T_cam_world, landmark.p_world, c.px)) return;
@@ -88,7 +88,7 @@ class Reprojection {
     candidates_.push_back(c);
   }
 
-  void addSeed(Seed& seed, const Keyframe& keyframe) {
+  void addSeed(const Seed& seed, const Keyframe& keyframe) {
     const bool converged = seed.status == SeedStatus::converged;
     if (!converged && (seed.status != SeedStatus::active || !p_.unconverged_seeds)) return;
     ++out_.candidates;
@@ -111,9 +111,6 @@ class Reprojection {
       f.origin = FeatureOrigin::landmark;
       f.id = c.landmark->id;
       ok = alignLandmark(*c.landmark, f);
-      ok ? ++c.landmark->succeeded : ++c.landmark->failed;
-      if (c.landmark->failed > p_.max_failures && c.landmark->failed > c.landmark->succeeded / 4)
-        out_.failed_landmarks.push_back(c.landmark->id);
     } else {
       f.id = c.seed->id;
       f.keyframe_id = c.seed->keyframe_id;
@@ -182,13 +179,8 @@ class Reprojection {
     q.mu = seed.belief.mu;
     q.sigma = std::sqrt(seed.belief.sigma2);
     const EpipolarMatch match = searchEpipolar(q, mapping_.search, mapping_.alignment);
-    // The depth after this measurement: along the line it already agrees with the match.
-    Seed updated = seed;
-    updated.has_shadow = false;
-    if (match.outcome == SearchOutcome::matched)
-      applyMeasurement(updated, {seed.id, keyframe.id, frame_.index, SearchOutcome::tracked, match.inv_distance, match.tau},
-                       mapping_.filter);
-    const bool ok = match.outcome == SearchOutcome::matched && updated.belief.mu > 0;
+    const double inv_distance = fusedInverseDistance(seed.belief, match.inv_distance, match.tau);
+    const bool ok = match.outcome == SearchOutcome::matched && inv_distance > 0;
     out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id, keyframe.id,
                                  ok ? SearchOutcome::tracked : match.outcome, match.score});
     if (!ok) return false;
@@ -196,7 +188,9 @@ class Reprojection {
     f.anchor.level = match.level;
     f.anchor.gradient_dir = match.gradient_dir;
     setMeasured(match.px, f);
-    f.p_world = seedPoint(updated, keyframe);
+    // Along the line this depth agrees with the match: what is left is the error across, which informs
+    // the pose under either rule of the filter.
+    f.p_world = keyframe.T_cam_world.inverse() * (seed.anchor.f / inv_distance);
     return true;
   }
 
@@ -205,7 +199,7 @@ class Reprojection {
     f.anchor.f = map_.camera.bearing(px);
   }
 
-  Map& map_;
+  const Map& map_;
   const Frame& frame_;
   const ReprojectorParameters& p_;
   const MappingParameters& mapping_;
@@ -229,6 +223,11 @@ bool overlaps(const Map& map, const Keyframe& keyframe, const SE3& T_cam_world) 
 
 }  // namespace
 
+double fusedInverseDistance(const Belief& belief, double x, double tau) {
+  const double belief_weight = 1 / belief.sigma2, weight = 1 / (tau * tau);
+  return (belief.mu * belief_weight + x * weight) / (belief_weight + weight);
+}
+
 Vec3 seedPoint(const Seed& seed, const Keyframe& keyframe) {
   return keyframe.T_cam_world.inverse() * (seed.anchor.f / seed.belief.mu);
 }
@@ -248,7 +247,7 @@ std::vector<int> overlappingKeyframes(const Map& map, const SE3& T_cam_world, in
   return ids;
 }
 
-ReprojectionResult reprojectMap(Map& map, const Frame& frame, const ReprojectorParameters& parameters,
+ReprojectionResult reprojectMap(const Map& map, const Frame& frame, const ReprojectorParameters& parameters,
                                 const MappingParameters& mapping) {
   return Reprojection(map, frame, parameters, mapping).run();
 }

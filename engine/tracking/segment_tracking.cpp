@@ -17,8 +17,8 @@ constexpr double kLeastVisiblePx = 25;   // shorter visible parts fix no directi
 constexpr double kMinViewCosine = 0.5;   // between reference and current view of the middle
 
 struct Candidate {
-  SegmentLandmark* landmark = nullptr;
-  SegmentSeed* seed = nullptr;
+  const SegmentLandmark* landmark = nullptr;
+  const SegmentSeed* seed = nullptr;
   TrackedSegment segment;
   int rank = 0;
   double length = 0;
@@ -38,7 +38,7 @@ double depthSigma(const Pinhole& camera, const TrackedSegment& s, double t, cons
 
 class SegmentTracking {
  public:
-  SegmentTracking(Map& map, const Frame& frame, const MappingParameters& m)
+  SegmentTracking(const Map& map, const Frame& frame, const MappingParameters& m)
       : map_(map), frame_(frame), mapping_(m), p_(m.segments), c_world_(frame.T_cam_world.inverse().translation()) {}
 
   SegmentTrackingResult run(const std::vector<int>& local_keyframes) {
@@ -61,16 +61,16 @@ class SegmentTracking {
   void collect(const std::vector<int>& local_keyframes) {
     std::unordered_set<std::int64_t> seen;
     for (const int id : local_keyframes) {
-      Keyframe* keyframe = map_.findKeyframe(id);
+      const Keyframe* keyframe = map_.findKeyframe(id);
       if (!keyframe) continue;
       for (const std::int64_t segment_id : keyframe->segments) {
         if (seen.insert(segment_id).second) addLandmark(map_.segments.at(segment_id));
       }
-      for (SegmentSeed& seed : keyframe->segment_seeds) addSeed(seed, *keyframe);
+      for (const SegmentSeed& seed : keyframe->segment_seeds) addSeed(seed, *keyframe);
     }
   }
 
-  void addLandmark(SegmentLandmark& landmark) {
+  void addLandmark(const SegmentLandmark& landmark) {
     Candidate c;
     c.landmark = &landmark;
     c.segment.id = landmark.id;
@@ -82,7 +82,7 @@ class SegmentTracking {
     addVisible(c);
   }
 
-  void addSeed(SegmentSeed& seed, const Keyframe& keyframe) {
+  void addSeed(const SegmentSeed& seed, const Keyframe& keyframe) {
     const bool converged = seed.status == SeedStatus::converged;
     if (!converged && seed.status != SeedStatus::active) return;
     Candidate c;
@@ -162,16 +162,11 @@ class SegmentTracking {
 
   void tryCandidate(Candidate& c) {
     const bool ok = align(c);
-    if (c.landmark) {
-      ok ? ++c.landmark->succeeded : ++c.landmark->failed;
-      if (c.landmark->failed > p_.max_failures && c.landmark->failed > c.landmark->succeeded / 4)
-        out_.failed_landmarks.push_back(c.landmark->id);
-    }
     if (!ok) c.segment.status = FeatureStatus::not_aligned;
     (ok ? out_.segments : out_.failed).push_back(c.segment);
   }
 
-  Map& map_;
+  const Map& map_;
   const Frame& frame_;
   const MappingParameters& mapping_;
   const SegmentParameters& p_;
@@ -182,7 +177,7 @@ class SegmentTracking {
 
 }  // namespace
 
-SegmentTrackingResult trackSegments(Map& map, const Frame& frame, const std::vector<int>& local_keyframes,
+SegmentTrackingResult trackSegments(const Map& map, const Frame& frame, const std::vector<int>& local_keyframes,
                                     const MappingParameters& parameters) {
   if (!parameters.segments.enabled) return {};
   return SegmentTracking(map, frame, parameters).run(local_keyframes);

@@ -15,12 +15,11 @@ namespace svoscope {
 struct SegmentTrackingResult {
   std::vector<TrackedSegment> segments;      ///< aligned
   std::vector<TrackedSegment> failed;        ///< tried without success
-  std::vector<std::int64_t> failed_landmarks;  ///< that failed too often
   int candidates = 0, projected = 0, tried = 0;
 };
 
-/// `frame` brings pyramid and predicted pose. Counts successes and failures in `map`.
-SegmentTrackingResult trackSegments(Map& map, const Frame& frame, const std::vector<int>& local_keyframes,
+/// `frame` brings pyramid and predicted pose.
+SegmentTrackingResult trackSegments(const Map& map, const Frame& frame, const std::vector<int>& local_keyframes,
                                     const MappingParameters& parameters);
 
 /// Residuals with sigmas that hold the line's noise and the end points' depth, at the pose given.

@@ -216,8 +216,33 @@ bool Tracker::accept(Attempt& a, int required) {
   frame_.features = a.reprojected.features;
   acceptSegments(a);
   occupied_ = a.reprojected.occupied;
-  for (const std::int64_t id : a.reprojected.failed_landmarks) map_.removeLandmark(id);
+  countTries();
   return true;
+}
+
+/// Only frames with a pose count: while lost, the map is not to blame for what it does not match.
+void Tracker::countTries() {
+  const auto count = [](auto& landmark, bool good, int max_failures) {
+    ++(good ? landmark.succeeded : landmark.failed);
+    return landmark.failed <= max_failures || landmark.failed <= landmark.succeeded / 4;
+  };
+  const auto countPoint = [&](const TrackedFeature& f) {
+    Landmark* landmark = f.origin == FeatureOrigin::landmark ? map_.find(f.id) : nullptr;
+    const bool keep = !landmark || count(*landmark, f.status == FeatureStatus::inlier, parameters_.reproject.max_failures);
+    if (!keep) map_.removeLandmark(f.id);
+  };
+  const auto countSegment = [&](const TrackedSegment& s) {
+    const auto it = s.origin == FeatureOrigin::landmark ? map_.segments.find(s.id) : map_.segments.end();
+    const bool keep = it == map_.segments.end() || count(it->second, s.status == FeatureStatus::inlier,
+                                                         parameters_.mapping.segments.max_failures);
+    if (!keep) map_.removeSegment(s.id);
+  };
+  for (const auto* features : {&frame_.features, &failed_features_}) {
+    for (const TrackedFeature& f : *features) countPoint(f);
+  }
+  for (const auto* segments : {&frame_.segments, &failed_segments_}) {
+    for (const TrackedSegment& s : *segments) countSegment(s);
+  }
 }
 
 void Tracker::lose(const std::string& reason) {

@@ -85,6 +85,7 @@ class Tracker {
   Attempt attempt(const SE3& T_cam_world, const char* from);
   Attempt alignAndAttempt(const SE3& T_cur_prev, const char* from);
   bool accept(Attempt& a, int required);
+  void countTries();
   void lose(const std::string& reason);
   void finishRecord();
 
@@ -98,7 +99,7 @@ class Tracker {
   void requestSeeds(const Keyframe& keyframe);
   void requestMeasurements();
   void limitKeyframes();
-  void applyAdjustment(const AdjustmentResult& adjustment);
+  void applyAdjustment(const AdjustmentResult& adjustment);  ///< tracker_adjustment.cpp
   void dropEndedSeeds();
   bool measureSeed(Seed& seed, const SeedMeasurement& m);
   Seed* findSeed(int keyframe_id, std::int64_t id);
@@ -113,7 +114,7 @@ class Tracker {
   void applySegmentMapping(const MappingResult& result);
   void dropEndedSegmentSeeds();
   void disownSegments(int keyframe_id);
-  void moveSegments(const std::map<int, SE3>& moved);
+  void followSegments();
   SegmentSeed* findSegmentSeed(int keyframe_id, std::int64_t id);
 
   void event(EventKind kind, std::string text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
 #include "engine/mapping/landmark_refinement.h"
 #include "engine/tracking/tracker.h"
 
@@ -16,13 +17,6 @@ constexpr std::size_t kMostJobSeeds = 800;
 constexpr std::size_t kOlderViews = 3;
 constexpr int kSeedMemoryFrames = 60;
 constexpr double kDegree = M_PI / 180.0;
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0;
-  auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 }  // namespace
 
@@ -102,10 +96,16 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
                                    parameters_.mapping.search.pixel_noise, map_.camera.focal());
       if (feature->status != FeatureStatus::inlier || !(m.x > 0)) m.outcome = SearchOutcome::no_match;
     }
+    const double fused = fusedInverseDistance(seed->belief, m.x, m.tau);
     record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::tracked;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
-    if (feature) feature->p_world = seedPoint(*seed, *map_.findKeyframe(match.keyframe_id));
+    if (feature) {
+      const Keyframe& keyframe = *map_.findKeyframe(match.keyframe_id);
+      const bool doubtful = seed->status == SeedStatus::active && m.outcome == SearchOutcome::tracked && fused > 0;
+      // The pose confirmed the match: until the filter has made up its mind, the match counts.
+      feature->p_world = doubtful ? Vec3(keyframe.T_cam_world.inverse() * (seed->anchor.f / fused)) : seedPoint(*seed, keyframe);
+    }
     if (feature && seed->status == SeedStatus::rejected) feature->status = FeatureStatus::outlier;
   }
   std::sort(measured_seeds_.begin(), measured_seeds_.end());
@@ -195,7 +195,7 @@ void Tracker::insertKeyframe(const std::string& reason) {
   limitKeyframes();
   requestSeeds(keyframe);
   if (!parameters_.mapping.local_ba.enabled) return;
-  job_->adjustment = localProblem(map_, id, parameters_.mapping.local_ba);
+  job_->adjustment = localProblem(map_, id, parameters_.mapping.local_ba, parameters_.mapping.segments);
   job_->adjustment.timed = timed_;
 }
 
@@ -290,39 +290,6 @@ void Tracker::applyMapping(const MappingResult& result) {
     keyframe->seeds.push_back(seed);
   }
   record_.seeds = map_.seedCount();
-}
-
-/// Takes over refined poses and points. The current frame moves along with the newest keyframe of
-/// the window, so that frame and map stay consistent.
-void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
-  if (!adjustment.ok) return;
-  SE3 correction;   // old world to new world, near the newest keyframe
-  std::map<int, SE3> moved;
-  for (const AdjustmentKeyframe& k : adjustment.keyframes) {
-    Keyframe* keyframe = map_.findKeyframe(k.id);
-    if (!keyframe || k.fixed) continue;
-    correction = k.T_cam_world.inverse() * keyframe->T_cam_world;
-    keyframe->T_cam_world = k.T_cam_world;
-    moved[k.id] = correction;
-  }
-  moveSegments(moved);
-  for (const AdjustmentPoint& p : adjustment.points) {
-    if (Landmark* landmark = map_.find(p.id)) landmark->p_world = p.p_world;
-  }
-  for (const AdjustmentResult::Outlier& o : adjustment.outliers) map_.removeObservation(o.landmark_id, o.keyframe_id);
-  const SE3 undo = correction.inverse();
-  frame_.T_cam_world = frame_.T_cam_world * undo;
-  T_last_good_ = T_last_good_ * undo;
-  for (TrackedFeature& f : frame_.features) {
-    if (f.origin == FeatureOrigin::landmark) {
-      const Landmark* landmark = map_.find(f.id);
-      if (landmark) f.p_world = landmark->p_world;
-      else f.p_world = correction * f.p_world;
-    } else if (const Seed* seed = findSeed(f.keyframe_id, f.id)) {
-      f.p_world = seedPoint(*seed, *map_.findKeyframe(f.keyframe_id));
-    }
-  }
-  record_.T_world_cam = frame_.T_cam_world.inverse();
 }
 
 /// The world is the reference camera of the start, in units of its median depth.

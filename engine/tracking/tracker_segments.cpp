@@ -58,7 +58,6 @@ void Tracker::acceptSegments(Attempt& a) {
     s.status = a.pose.segment_inlier[i] ? FeatureStatus::inlier : FeatureStatus::outlier;
   }
   frame_.segments = a.segments.segments;
-  for (const std::int64_t id : a.segments.failed_landmarks) map_.removeSegment(id);
 }
 
 /// The measured lines enter the filter with the final pose.
@@ -190,19 +189,8 @@ void Tracker::dropEndedSegmentSeeds() {
   }
 }
 
-/// Keyframes were adjusted by old world to new world: a segment follows its first view, and the lines
-/// of the others then settle it.
-void Tracker::moveSegments(const std::map<int, SE3>& moved) {
-  for (auto& [id, segment] : map_.segments) {
-    const auto first = moved.find(segment.views.front().keyframe_id);
-    bool touched = first != moved.end();
-    if (touched) {
-      for (Vec3& p : segment.p_world) p = first->second * p;
-    }
-    for (const SegmentView& view : segment.views) touched = touched || moved.count(view.keyframe_id);
-    if (touched)
-      refineSegment(segment, map_, parameters_.mapping.segments.line_noise_px, parameters_.quality.structure_iterations);
-  }
+/// The frame's segments take the places of their landmarks and seeds after an adjustment.
+void Tracker::followSegments() {
   for (TrackedSegment& s : frame_.segments) {
     const auto it = map_.segments.find(s.id);
     if (s.origin == FeatureOrigin::landmark && it != map_.segments.end()) {

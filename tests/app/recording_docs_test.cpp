@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The examples of docs/recording.md are run against a small recording; its tables are those of the file.
+// The examples of docs/recording.md are run against a small recording; its tables are those of the
+// file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +17,9 @@ namespace {
 using test::readText;
 using test::writeText;
 
-std::string documentation() { return readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs" / "recording.md"); }
+std::string documentation() {
+  return readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs" / "recording.md");
+}
 
 /// Contents of the code blocks of a language.
 std::vector<std::string> blocks(const std::string& language) {
@@ -56,9 +59,11 @@ Shell shell(const std::filesystem::path& folder, const std::string& command) {
 const std::filesystem::path& folder() {
   static const test::TemporaryFolder temporary;
   static const std::filesystem::path path = temporary.path();
-  static const int exit_code =
-      test::runProgram("run 'synthetic:room?size=320x240' --method it-svo --sync --record --max-frames 40 --out " + path.string())
-          .exit_code;
+  static const int exit_code = test::runProgram(
+                                   "run 'synthetic:room?size=320x240' --method it-svo --sync "
+                                   "--record --max-frames 40 --out " +
+                                   path.string())
+                                   .exit_code;
   EXPECT_EQ(exit_code, 0);
   return path;
 }
@@ -66,7 +71,8 @@ const std::filesystem::path& folder() {
 bool available(const std::string& command) { return shell("/", command).exit_code == 0; }
 
 TEST(RecordingDocs, SqlExamplesGiveRows) {
-  if (!available("sqlite3 --version")) GTEST_SKIP() << "sqlite3 is absent: install the package sqlite3";
+  if (!available("sqlite3 --version"))
+    GTEST_SKIP() << "sqlite3 is absent: install the package sqlite3";
   const auto examples = blocks("sql");
   EXPECT_GE(examples.size(), 6u);
   for (const std::string& example : examples) {
@@ -78,7 +84,8 @@ TEST(RecordingDocs, SqlExamplesGiveRows) {
 }
 
 TEST(RecordingDocs, CommandLinesWork) {
-  if (!available("sqlite3 --version")) GTEST_SKIP() << "sqlite3 is absent: install the package sqlite3";
+  if (!available("sqlite3 --version"))
+    GTEST_SKIP() << "sqlite3 is absent: install the package sqlite3";
   const auto examples = blocks("sh");
   ASSERT_EQ(examples.size(), 1u);
   writeText(folder() / "example.sh", "set -e\n" + examples[0]);
@@ -90,28 +97,36 @@ TEST(RecordingDocs, CommandLinesWork) {
 }
 
 TEST(RecordingDocs, PandasExampleWorks) {
-  if (!available("python3 -c 'import pandas'")) GTEST_SKIP() << "pandas is absent: install the package python3-pandas";
+  std::string python;  // the first in the path may be another than Debian's
+  for (const char* name : {"python3", "/usr/bin/python3"}) {
+    if (python.empty() && available(std::string(name) + " -c 'import pandas'")) python = name;
+  }
+  if (python.empty()) GTEST_SKIP() << "pandas is absent: install the package python3-pandas";
   const auto examples = blocks("python");
   ASSERT_EQ(examples.size(), 1u);
   writeText(folder() / "example.py", examples[0]);
-  const Shell done = shell(folder(), "python3 example.py");
+  const Shell done = shell(folder(), python + " example.py");
   EXPECT_EQ(done.exit_code, 0) << done.out;
   EXPECT_THAT(done.out, testing::HasSubstr("js_after_sigma"));
 }
 
 TEST(RecordingDocs, EveryTableAndColumnIsDescribed) {
-  const std::string text = documentation() + readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs" / "commands.md");
+  const std::string text = documentation() + readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) /
+                                                      "docs" / "commands.md");
   std::string problem;
   const auto database = Database::open(folder() / "run.svoscope", Database::Mode::read, problem);
   ASSERT_NE(database, nullptr) << problem;
-  Query columns(*database, "SELECT m.name, c.name FROM sqlite_master AS m JOIN pragma_table_info(m.name) AS c WHERE m.type = 'table'");
+  Query columns(*database,
+                "SELECT m.name, c.name FROM sqlite_master AS m JOIN pragma_table_info(m.name) AS c "
+                "WHERE m.type = 'table'");
   int checked = 0;
   while (columns.next()) {
     const std::string table = columns.text(), column = columns.text();
     EXPECT_NE(text.find("`" + table + "`"), std::string::npos) << table;
     // "kl_before_mu", `_sigma`, ... and `original_width` ... are described by their pattern.
     if (std::regex_match(column, std::regex("(kl|js)_(before|after)_.*|original_.*"))) continue;
-    EXPECT_TRUE(std::regex_search(text, std::regex("[` ]" + column + "[` ]"))) << table << "." << column;
+    EXPECT_TRUE(std::regex_search(text, std::regex("[` ]" + column + "[` ]")))
+        << table << "." << column;
     ++checked;
   }
   EXPECT_GT(checked, 100);

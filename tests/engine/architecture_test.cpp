@@ -66,7 +66,8 @@ TEST(Architecture, TheUserInterfaceSeesResultsOnly) {
 
 TEST(Architecture, EngineFoldersLookDownwardsOnly) {
   const std::vector<std::string> order = {"base",  "geometry", "eval",     "dataset",  "frame",  "detect",
-                                          "match", "mapping",  "tracking", "snapshot", "runner", "recording", "study", "io"};
+                                          "match", "mapping",  "tracking", "snapshot", "runner", "recording",
+                                          "study", "io",       "bench"};
   const auto rank = [&](const std::string& folder) {
     return std::find(order.begin(), order.end(), folder) - order.begin();
   };

@@ -19,7 +19,9 @@ class KeepingObserver : public RunObserver {
  public:
   explicit KeepingObserver(std::shared_ptr<Recorder> recorder) : recorder_(std::move(recorder)) {}
   void begin(const RunInfo& info) override { recorder_->begin(info); }
-  void parameters(const std::vector<ParameterView>& p, int from) override { recorder_->parameters(p, from); }
+  void parameters(const std::vector<ParameterView>& p, int from) override {
+    recorder_->parameters(p, from);
+  }
   void frame(const SnapshotPtr& s) override {
     snapshots.push_back(s);
     recorder_->frame(s);
@@ -37,17 +39,20 @@ class KeepingObserver : public RunObserver {
 
 /// A run that is being recorded into a temporary folder.
 struct RecordedRun {
-  explicit RecordedRun(const std::string& spec, RunnerOptions options = {}, std::set<int> unreadable = {})
+  explicit RecordedRun(const std::string& spec, RunnerOptions options = {},
+                       std::set<int> unreadable = {})
       : recorder(std::make_shared<Recorder>()), kept(std::make_shared<KeepingObserver>(recorder)) {
     options.observer = kept;
-    auto sequence = std::make_unique<ChangedSequence>(openBuiltIn(spec), nullptr, std::move(unreadable));
+    auto sequence =
+        std::make_unique<ChangedSequence>(openBuiltIn(spec), nullptr, std::move(unreadable));
     runner = std::move(makeRunner(std::move(sequence), options).value());
     started = recorder->start(file(), {"test", 95});
   }
 
   std::filesystem::path file() const { return folder / kRecordingName; }
 
-  void send(Command::Kind kind, int frame = -1, const std::string& key = "", const std::string& value = "") {
+  void send(Command::Kind kind, int frame = -1, const std::string& key = "",
+            const std::string& value = "") {
     runner->send({kind, frame, key, value});
     while (runner->pump() || runner->status().playing) std::this_thread::yield();
   }

@@ -10,11 +10,13 @@
 namespace svoscope::ui {
 
 void moveOn(Runner& runner, UiState& state, const Command& command) {
-  const int viewed = std::exchange(state.viewed_frame, -1);  // whoever moves the engine wants to see it
-  if (viewed >= 0 && runner.status().recorded && command.kind != Command::Kind::reset) {
+  int from = std::exchange(state.viewed_frame, -1);  // whoever moves the engine wants to see it
+  const RunnerStatus status = runner.status();
+  if (status.finished && from < 0 && command.kind == Command::Kind::play) from = status.history_first;
+  if (status.recorded && from >= 0 && command.kind != Command::Kind::reset) {
     Command jump;
     jump.kind = Command::Kind::run_to_frame;
-    jump.frame = viewed;
+    jump.frame = from;
     runner.send(jump);
   }
   runner.send(command);

@@ -41,7 +41,8 @@ struct PanelCaches {
   SeparationCurves separation;
 };
 
-/// Sends a command that moves the run, and follows it. A recording goes on from the frame in view.
+/// Sends a command that moves the run, and follows it. A recording goes on from the frame in view, and
+/// plays from its first frame if that is the last.
 void moveOn(Runner& runner, UiState& state, const Command& command);
 
 /// With several runs open, all but `runs`, `all_caches` and `compare` is of the current one.

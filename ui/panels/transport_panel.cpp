@@ -15,7 +15,7 @@ namespace {
 
 const char* whyNoForward(const PanelContext& c) {
   if (!c.status.finished || !c.live()) return nullptr;
-  return c.status.recorded ? "The recording ends here, go back to play it" : "The last frame was processed, reset to run again";
+  return c.status.recorded ? "The recording ends here" : "The last frame was processed, reset to run again";
 }
 
 const char* whyNoBack(const PanelContext& c) {
@@ -36,7 +36,7 @@ void playButtons(PanelContext& c) {
   ImGui::SameLine(0, grid(1));
   if (iconButton(playing ? "Pause" : "Play", playing ? Icon::pause : Icon::play,
                  {playing ? "Pause (Space)" : "Play (Space)",
-                  !playing ? whyNoForward(c) : nullptr},
+                  !playing && !c.status.recorded ? whyNoForward(c) : nullptr},
                  playing)) {
     c.send(playing ? Command::Kind::pause : Command::Kind::play);
   }

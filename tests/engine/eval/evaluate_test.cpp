@@ -175,6 +175,39 @@ TEST(Evaluate, WithoutAlignmentTheErrorIsTheOffset) {
   EXPECT_NEAR(ate.stddev, 0, 1e-12);
 }
 
+TEST(Evaluate, AlignmentOnTheFirstPosesLeavesTheRestAsItIs) {
+  const Trajectory gt = spiral(60);
+  Trajectory est = gt;
+  for (std::size_t i = 40; i < est.size(); ++i) {
+    est[i].T_world_cam = SE3(est[i].T_world_cam.quaternion(),
+                             Vec3(est[i].T_world_cam.translation() + Vec3(0, 0, 1)));
+  }
+  EvalOptions options;
+  options.align_first = 40;
+  const EvalResult r = evaluate(gt, est, options).value();
+  EXPECT_EQ(r.aligned_on, 40);
+  EXPECT_NEAR(r.scale, 1, 1e-9);
+  EXPECT_LT(r.errors[39].error_m, 1e-9);
+  EXPECT_NEAR(r.errors[40].error_m, 1, 1e-9);
+  options.align_first = 1000;  // more than there are: all
+  EXPECT_EQ(evaluate(gt, est, options).value().aligned_on, 60);
+  options.align_first = 2;
+  EXPECT_FALSE(evaluate(gt, est, options).ok());
+}
+
+TEST(Evaluate, TheOffsetIsAddedToTheEstimate) {
+  const Trajectory gt = spiral(60);
+  Trajectory est = gt;
+  for (StampedPose& pose : est) pose.timestamp += 50.01;
+  EvalOptions options;
+  options.time_offset = -50.01;
+  const auto result = evaluate(gt, est, options);
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  EXPECT_EQ(result.value().matched, 60);
+  EXPECT_LT(result.value().ate.max, 1e-9);
+  EXPECT_NEAR(result.value().errors[0].timestamp, gt[0].timestamp, 1e-9);
+}
+
 TEST(Evaluate, RelativeErrorIsMissingWhenNothingIsOneIntervalApart) {
   EvalOptions options;
   options.delta = parseDelta("100s").value();

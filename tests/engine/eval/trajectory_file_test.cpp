@@ -96,6 +96,18 @@ TEST(TrajectoryFile, RareRepeatedTimestampsWarnManyAreAnError) {
   expectError("1.3e9 0 0 0 0 0 0 1\n1.3e9 1 0 0 0 0 0 1\n", ":2", "1 of 2 timestamps repeat");
 }
 
+TEST(TrajectoryFile, RepeatedTimestampsOfAnEstimateAreRefused) {
+  const test::TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += std::to_string(i) + " 0 0 0 0 0 0 1\n";
+  test::writeText(folder / "poses.txt", text + "19 5 0 0 0 0 0 1\n");
+  const auto result = loadTrajectory(folder / "poses.txt", RepeatedStamps::reject);
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().message().find("poses.txt:21: the timestamp is that of the row above"),
+            std::string::npos)
+      << result.error().message();
+}
+
 TEST(TrajectoryFile, MissingFileAndFolderAreErrors) {
   const test::TemporaryFolder folder;
   EXPECT_FALSE(loadTrajectory(folder / "absent.txt").ok());

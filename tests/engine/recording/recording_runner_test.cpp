@@ -11,7 +11,8 @@ namespace {
 using Kind = Command::Kind;
 
 const test::RecordedRun& sample() {
-  static test::RecordedRun run("synthetic:room?frames=40&size=320x240", test::synchronous("it-svo"));
+  static test::RecordedRun run("synthetic:room?frames=40&size=320x240",
+                               test::synchronous("it-svo"));
   static const bool finished = run.finish().ok();
   EXPECT_TRUE(finished);
   return run;

@@ -20,7 +20,8 @@ constexpr const char* kRoom = "synthetic:room?frames=30";
 void expectSame(const Snapshot& recorded, const Snapshot& kept) {
   const auto a = test::textOf(recorded), b = test::textOf(kept);
   ASSERT_EQ(a.size(), b.size()) << "frame " << kept.record.index;
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(a[i], b[i]) << "frame " << kept.record.index << ", line " << i;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ASSERT_EQ(a[i], b[i]) << "frame " << kept.record.index << ", line " << i;
 }
 
 void expectSameImage(const Snapshot& recorded, const Snapshot& kept) {
@@ -30,7 +31,8 @@ void expectSameImage(const Snapshot& recorded, const Snapshot& kept) {
   for (std::size_t level = 0; level < kept.pyramid->size(); ++level) {
     const cv::Mat &a = (*recorded.pyramid)[level], &b = (*kept.pyramid)[level];
     ASSERT_EQ(a.size(), b.size());
-    EXPECT_LT(cv::norm(a, b, cv::NORM_L1) / static_cast<double>(b.total()), 2.0) << "grey levels, level " << level;
+    EXPECT_LT(cv::norm(a, b, cv::NORM_L1) / static_cast<double>(b.total()), 2.0)
+        << "grey levels, level " << level;
   }
 }
 
@@ -62,16 +64,18 @@ TEST_P(RoundTrip, SnapshotsAreTheSameBitByBit) {
   EXPECT_GT(last.seed_updates->size(), 20u);
   EXPECT_GT(last.points->size(), 20u);
   EXPECT_GT(last.features.size(), 50u);
-  const bool segments = std::any_of(last.seeds->begin(), last.seeds->end(),
-                                    [](const SeedView& s) { return s.type == FeatureType::segment; });
+  const bool segments = std::any_of(last.seeds->begin(), last.seeds->end(), [](const SeedView& s) {
+    return s.type == FeatureType::segment;
+  });
   EXPECT_EQ(segments, std::string(GetParam()) != "svo");
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, RoundTrip, testing::Values("svo", "pl-svo", "it-svo"), [](const auto& test_case) {
-  std::string name = test_case.param;
-  name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Methods, RoundTrip, testing::Values("svo", "pl-svo", "it-svo"),
+                         [](const auto& test_case) {
+                           std::string name = test_case.param;
+                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                           return name;
+                         });
 
 TEST(Recording, AThreadedRunIsTheSameToo) {
   RunnerOptions options;
@@ -125,8 +129,10 @@ TEST(Recording, ASearchIsExplainedFromTheRecordedImages) {
   completed.keyframes = keyframes;
   int compared = 0;
   for (const SeedUpdateView& update : *kept.seed_updates) {
-    if (update.outcome != SearchOutcome::matched || update.frame_index != kept.record.index) continue;
-    const auto seed = std::find_if(kept.seeds->begin(), kept.seeds->end(), [&](const SeedView& s) { return s.id == update.seed_id; });
+    if (update.outcome != SearchOutcome::matched || update.frame_index != kept.record.index)
+      continue;
+    const auto seed = std::find_if(kept.seeds->begin(), kept.seeds->end(),
+                                   [&](const SeedView& s) { return s.id == update.seed_id; });
     if (seed == kept.seeds->end() || seed->type == FeatureType::segment) continue;
     const auto live = explainSearch(*seed, update, kept, run.runner->info());
     const auto replayed = explainSearch(*seed, update, completed, recorded->info());
@@ -177,18 +183,20 @@ TEST(Recording, ParametersHoldFromTheFrameTheyWereSetAt) {
   EXPECT_EQ(recorded->at(3)->mapping->search.search_sigmas, 2.25);
   recorded->send({Command::Kind::run_to_frame, 5, "", ""});
   const auto events = recorded->events(0);
-  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const Event& e) { return e.text.find("no.such") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const Event& e) {
+    return e.text.find("no.such") != std::string::npos;
+  }));
   EXPECT_EQ(events.back().kind, EventKind::finished);
 }
 
-/// A field that is added to a value must be added to its list in engine/recording/columns.h, and then
-/// the version of the tables rises.
+/// A field that is added to a value must be added to its list in engine/recording/columns.h, and
+/// then the version of the tables rises.
 TEST(Recording, NoFieldIsForgotten) {
-  EXPECT_EQ(sizeof(FrameRecord), 432u);
-  EXPECT_EQ(sizeof(FeatureView), 64u);
-  EXPECT_EQ(sizeof(SeedView), 208u);
-  EXPECT_EQ(sizeof(SeedUpdateView), 128u);
-  EXPECT_EQ(sizeof(MapPointView), 56u);
+  EXPECT_EQ(sizeof(FrameRecord), 400u);
+  EXPECT_EQ(sizeof(FeatureView), 56u);
+  EXPECT_EQ(sizeof(SeedView), 200u);
+  EXPECT_EQ(sizeof(SeedUpdateView), 120u);
+  EXPECT_EQ(sizeof(MapPointView), 48u);
   EXPECT_EQ(sizeof(Event), 40u);
 }
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "engine/io/eval_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/io/system_style.h"
+#include "engine/io/text_output.h"
+
+namespace svoscope {
+
+namespace {
+
+std::vector<double> timesOf(const EvalResult& result) {
+  std::vector<double> times;
+  for (const PoseError& e : result.errors) times.push_back(e.timestamp);
+  return times;
+}
+
+/// x and y of a curve, with a NaN before each gap.
+template <typename X, typename Y>
+void fill(SvgCurve& curve, const EvalResult& result, const X& x, const Y& y) {
+  const std::vector<std::size_t> gaps = gapsIn(timesOf(result));
+  for (std::size_t i = 0; i < result.errors.size(); ++i) {
+    if (std::binary_search(gaps.begin(), gaps.end(), i)) {
+      curve.x.push_back(NAN);
+      curve.y.push_back(NAN);
+    }
+    curve.x.push_back(x(result.errors[i]));
+    curve.y.push_back(y(result.errors[i]));
+  }
+}
+
+SvgPlot trajectoryPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& estimates) {
+  std::vector<Vec3> truth;
+  for (const StampedPose& pose : ground_truth) truth.push_back(pose.T_world_cam.translation());
+  const PlotPlane plane = planeOf(truth);
+  SvgPlot plot;
+  plot.title = "Trajectories after alignment";
+  plot.x_label = plane.uLabel();
+  plot.y_label = plane.vLabel();
+  plot.equal_axes = true;
+  plot.height = 520;
+  SvgCurve gt;
+  gt.name = "ground truth";
+  gt.width = 1.2;
+  for (const Vec3& p : truth) {
+    gt.x.push_back(p[plane.u]);
+    gt.y.push_back(p[plane.v]);
+  }
+  plot.curves.push_back(std::move(gt));
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    SvgCurve curve{estimates[i].name, otherStyle(static_cast<int>(i)), {}, {}};
+    fill(
+        curve, estimates[i].result, [&](const PoseError& e) { return e.position_est[plane.u]; },
+        [&](const PoseError& e) { return e.position_est[plane.v]; });
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+SvgPlot errorPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& estimates) {
+  SvgPlot plot;
+  plot.title = "Position error";
+  const bool rows = !estimates.empty() && estimates[0].result.options.by_row;
+  plot.x_label = rows ? "row" : "time since the first pose of the ground truth, s";
+  plot.y_label = "error, m";
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    SvgCurve curve{estimates[i].name, otherStyle(static_cast<int>(i)), {}, {}};
+    fill(
+        curve, estimates[i].result,
+        [&](const PoseError& e) { return e.timestamp - ground_truth.front().timestamp; },
+        [](const PoseError& e) { return e.error_m; });
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+std::string errorsCsv(const std::vector<NamedEval>& estimates) {
+  std::string text = "estimate,timestamp,error_m,gt_x,gt_y,gt_z,est_x,est_y,est_z\n";
+  for (const NamedEval& estimate : estimates) {
+    for (const PoseError& e : estimate.result.errors) {
+      text += fmt::format("{},{:.6f},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                          quoted(estimate.name), e.timestamp, e.error_m, e.position_gt.x(),
+                          e.position_gt.y(), e.position_gt.z(), e.position_est.x(),
+                          e.position_est.y(), e.position_est.z());
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+PlotPlane planeOf(const std::vector<Vec3>& positions) {
+  if (positions.empty()) return {};
+  Vec3 low = positions[0], high = positions[0];
+  for (const Vec3& p : positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec3 extent = high - low;
+  int order[3] = {0, 1, 2};
+  std::stable_sort(order, order + 3, [&](int a, int b) { return extent[a] > extent[b]; });
+  return {order[0], order[1]};
+}
+
+std::vector<std::size_t> gapsIn(const std::vector<double>& times, double medians) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  if (steps.empty()) return {};
+  std::vector<double> sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+  const double limit = medians * sorted[sorted.size() / 2];
+  std::vector<std::size_t> gaps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] > limit) gaps.push_back(i + 1);
+  }
+  return gaps;
+}
+
+Status writeEvalPlots(const std::filesystem::path& folder, const Trajectory& ground_truth,
+                      const std::vector<NamedEval>& estimates) {
+  Status status = makeFolder(folder);
+  if (status.ok())
+    status = writeWhole(folder / "trajectories.svg",
+                        drawPlot(trajectoryPlot(ground_truth, estimates)).standalone());
+  if (status.ok())
+    status =
+        writeWhole(folder / "error.svg", drawPlot(errorPlot(ground_truth, estimates)).standalone());
+  if (status.ok()) status = writeWhole(folder / "errors.csv", errorsCsv(estimates));
+  return status;
+}
+
+}  // namespace svoscope

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Taking over a local adjustment: what it refined, and what hangs on the keyframes it moved.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/quantile.h"
+#include "engine/mapping/segment_refinement.h"
+#include "engine/tracking/tracker.h"
+
+namespace svoscope {
+
+namespace {
+
+/// How the surroundings of a keyframe changed: old camera coordinates times `scale`, seen from the new
+/// pose.
+struct KeyframeChange {
+  SE3 T_cam_world_old, T_cam_world_new;
+  double scale = 1;
+
+  Vec3 moved(const Vec3& p_world) const {
+    return T_cam_world_new.inverse() * (scale * (T_cam_world_old * p_world));
+  }
+};
+
+/// The adjustment leaves the scale free where no keyframe holds it; how far the landmarks of a keyframe
+/// went tells by how much everything else there has to follow.
+double scaleOf(const std::vector<double>& ratios) {
+  constexpr std::size_t kLeast = 8;
+  return ratios.size() < kLeast ? 1.0 : quantile(ratios, 0.5);
+}
+
+std::map<int, KeyframeChange> changesBy(const AdjustmentResult& adjustment, const Map& map) {
+  std::map<int, KeyframeChange> changes;
+  for (const AdjustmentKeyframe& k : adjustment.keyframes) {
+    const auto it = map.keyframes.find(k.id);
+    if (it != map.keyframes.end()) changes[k.id] = {it->second.T_cam_world, k.T_cam_world, 1.0};
+  }
+  std::map<int, std::vector<double>> ratios;
+  for (const AdjustmentPoint& p : adjustment.points) {
+    const Landmark* landmark = map.find(p.id);
+    if (!landmark) continue;
+    for (const LandmarkObservation& o : landmark->observations) {
+      const auto it = changes.find(o.keyframe_id);
+      if (it == changes.end()) continue;
+      const double before = (it->second.T_cam_world_old * landmark->p_world).norm();
+      const double after = (it->second.T_cam_world_new * p.p_world).norm();
+      if (before > 1e-6 && after > 1e-6) ratios[o.keyframe_id].push_back(after / before);
+    }
+  }
+  for (auto& [id, change] : changes) change.scale = scaleOf(ratios[id]);
+  return changes;
+}
+
+void rescale(Belief& belief, double scale) {
+  belief.mu /= scale;
+  belief.sigma2 /= scale * scale;
+}
+
+void rescaleSeeds(Keyframe& keyframe, double scale) {
+  for (Seed& seed : keyframe.seeds) {
+    rescale(seed.belief, scale);
+    rescale(seed.shadow, scale);
+    seed.range /= scale;
+  }
+  for (SegmentSeed& seed : keyframe.segment_seeds) {
+    for (Belief& belief : seed.belief) rescale(belief, scale);
+    seed.range /= scale;
+  }
+  keyframe.median_depth *= scale;
+  keyframe.min_depth *= scale;
+}
+
+/// A segment follows its first view unless it was adjusted itself; its lines then settle it.
+void moveSegments(const AdjustmentResult& adjustment, const std::map<int, KeyframeChange>& changes,
+                  const SegmentParameters& p, int iterations, Map& map) {
+  std::map<std::int64_t, bool> adjusted;
+  for (const AdjustmentEnd& end : adjustment.ends) {
+    const auto it = map.segments.find(end.segment_id);
+    if (it == map.segments.end()) continue;
+    it->second.p_world[end.end] = end.p_world;
+    adjusted[end.segment_id] = true;
+  }
+  for (auto& [id, segment] : map.segments) {
+    const auto first = changes.find(segment.views.front().keyframe_id);
+    if (first != changes.end()) {
+      for (int i = 0; i < 2; ++i) {
+        segment.prior[i] /= first->second.scale;
+        segment.prior_sigma[i] /= first->second.scale;
+        segment.covariance[i] *= first->second.scale * first->second.scale;
+        if (!adjusted.count(id)) segment.p_world[i] = first->second.moved(segment.p_world[i]);
+      }
+    }
+    const bool touched = std::any_of(segment.views.begin(), segment.views.end(),
+                                     [&](const SegmentView& v) { return changes.count(v.keyframe_id) > 0; });
+    if (touched) refineSegment(segment, map, p.line_noise_px, iterations);
+  }
+}
+
+}  // namespace
+
+/// Takes over refined poses, points and segments; seeds and the current frame follow their keyframes,
+/// so that frame and map stay consistent.
+void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
+  if (!adjustment.ok) return;
+  const std::map<int, KeyframeChange> changes = changesBy(adjustment, map_);
+  if (changes.empty()) return;
+  for (const auto& [id, change] : changes) {
+    Keyframe& keyframe = *map_.findKeyframe(id);
+    keyframe.T_cam_world = change.T_cam_world_new;
+    if (change.scale != 1) rescaleSeeds(keyframe, change.scale);
+  }
+  for (const AdjustmentPoint& p : adjustment.points) {
+    if (Landmark* landmark = map_.find(p.id)) landmark->p_world = p.p_world;
+  }
+  moveSegments(adjustment, changes, parameters_.mapping.segments, parameters_.quality.structure_iterations, map_);
+  for (const AdjustmentResult::Outlier& o : adjustment.outliers) map_.removeObservation(o.landmark_id, o.keyframe_id);
+  for (const AdjustmentResult::Outlier& o : adjustment.segment_outliers) {
+    if (map_.segments.count(o.landmark_id)) map_.removeSegmentView(o.landmark_id, o.keyframe_id);
+  }
+  // The frame goes along with the newest keyframe of the window.
+  const KeyframeChange& newest = changes.rbegin()->second;
+  const auto follow = [&newest](const SE3& T_cam_world) {
+    const SE3 T_cam_kf = T_cam_world * newest.T_cam_world_old.inverse();
+    return SE3(T_cam_kf.quaternion(), newest.scale * T_cam_kf.translation()) * newest.T_cam_world_new;
+  };
+  frame_.T_cam_world = follow(frame_.T_cam_world);
+  T_last_good_ = follow(T_last_good_);
+  T_velocity_ = SE3(T_velocity_.quaternion(), newest.scale * T_velocity_.translation());
+  for (TrackedFeature& f : frame_.features) {
+    if (f.origin == FeatureOrigin::landmark) {
+      const Landmark* landmark = map_.find(f.id);
+      f.p_world = landmark ? landmark->p_world : newest.moved(f.p_world);
+    } else if (const Seed* seed = findSeed(f.keyframe_id, f.id)) {
+      f.p_world = seedPoint(*seed, *map_.findKeyframe(f.keyframe_id));
+    }
+  }
+  followSegments();
+  record_.T_world_cam = frame_.T_cam_world.inverse();
+}
+
+}  // namespace svoscope
