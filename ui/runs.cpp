@@ -11,8 +11,9 @@ namespace svoscope::ui {
 namespace {
 
 Dash methodDash(const std::string& method) {
-  if (method == "svo") return Dash::dotted;
-  if (method == "pl-svo") return Dash::dashed;
+  // As in the figures of reports (engine/io/system_style.h).
+  if (method == "svo") return Dash::dashed;
+  if (method == "pl-svo") return Dash::dotted;
   return Dash::solid;
 }
 
