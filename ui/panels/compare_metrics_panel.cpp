@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "ui/palette.h"
 #include "ui/panels/compare_panel.h"
 #include "ui/theme.h"
@@ -46,6 +48,14 @@ void stateRow(PanelContext& c) {
       if (!record->reason.empty()) tooltip(record->reason.c_str());
     }
   }
+}
+
+float leastWidth(const CompareData& data) {
+  float width = ImGui::GetFontSize() * 8.5f;
+  for (const ComparedRun& run : data.runs()) {
+    width += std::max(legendWidth(run.style.label.c_str()), ImGui::GetFontSize() * 5.5f) + grid(3);
+  }
+  return width;
 }
 
 void metricTable(PanelContext& c, const CompareData& data) {
@@ -129,9 +139,14 @@ void drawCompareMetricsPanel(PanelContext& c) {
   const CompareData& data = c.compare;
   const int columns = static_cast<int>(data.runs().size()) + 1;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {grid(1), grid(0.5f)});
-  const ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp |
-                                ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg |
-                                ImGuiTableFlags_BordersInnerV;
+  const ImGuiTableFlags look =
+      ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
+  // Where columns would be cut off, the table scrolls sideways.
+  const bool wide = ImGui::GetContentRegionAvail().x >= leastWidth(data);
+  const ImGuiTableFlags flags =
+      look |
+      (wide ? ImGuiTableFlags_SizingStretchProp
+            : ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY);
   if (ImGui::BeginTable("##metrics", columns, flags)) {
     header(c, data);
     stateRow(c);
