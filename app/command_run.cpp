@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "app/command.h"
 #include "app/depth_study_run.h"
 #include "app/drive.h"
 #include "app/interrupt.h"
+#include "app/method_table.h"
 #include "app/progress.h"
 #include "app/run_settings.h"
 #include "engine/recording/open_run.h"
@@ -63,7 +65,8 @@ int exitCodeOf(const DriveOutcome& outcome, const RunMetrics& metrics) {
   return metrics.init_frame ? kExitDone : kExitNeverInitialised;
 }
 
-int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments) {
+/// `report`: print the figures. `result` is filled once there are any.
+int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments, bool report, RunMetrics& result) {
   const InterruptGuard guard;
   DriveOptions options;
   options.first_frame = arguments.run.start;
@@ -89,8 +92,11 @@ int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments
   const auto metrics = writer.finish(runner.latest(), outcome.frames);
   if (!metrics.ok()) return reportError(metrics.error());
   if (outcome.interrupted) reportWarning("interrupted; what was done is written");
-  fmt::print("{} on {}\n{}files       {}\n", runner.info().method, runner.info().sequence,
-             metricsText(metrics.value()), writer.folder().string());
+  result = metrics.value();
+  if (report) {
+    fmt::print("{} on {}\n{}files       {}\n", runner.info().method, runner.info().sequence,
+               metricsText(metrics.value()), writer.folder().string());
+  }
   const int code = exitCodeOf(outcome, metrics.value());
   const bool poses_known = arguments.poses == "groundtruth" || code == kExitDone;
   if (!arguments.depth_study || outcome.interrupted || !poses_known) return code;
@@ -106,9 +112,7 @@ int closeRecording(Recorder& recorder, int code) {
   return code == kExitDone || code == kExitNeverInitialised ? failed : code;
 }
 
-int runRun(const Arguments& arguments) {
-  if (looksLikeRecording(arguments.run.sequence))
-    return reportError(usageError("is a recording, run needs a sequence", arguments.run.sequence, "open it with svoscope view"));
+int runOne(const Arguments& arguments, bool report, RunMetrics& metrics) {
   RunnerOptions options;
   options.threaded = !arguments.sync;
   options.publish_snapshots = arguments.record;  // else nobody looks at them
@@ -127,8 +131,37 @@ int runRun(const Arguments& arguments) {
   if (begun.ok() && arguments.record)
     begun = recorder->start(writer.folder() / kRecordingName, {SVOSCOPE_VERSION, arguments.quality});
   if (!begun.ok()) return reportError(begun.error());
-  const int code = driveAndReport(*runner.value(), writer, arguments);
+  const int code = driveAndReport(*runner.value(), writer, arguments, report, metrics);
   return closeRecording(*recorder, code);
+}
+
+/// Each method into a folder of its own, and one table of all. What went wrong first decides the exit
+/// code; that a method never initialised only if it was so with all.
+int runAll(const Arguments& arguments) {
+  std::vector<RunMetrics> rows;
+  int code = kExitDone, started = 0;
+  for (const std::string& method : arguments.run.methods) {
+    Arguments one = arguments;
+    one.run = arguments.run.with(method);
+    one.out = (std::filesystem::path(arguments.out) / method).string();
+    RunMetrics metrics;
+    const int ended = runOne(one, false, metrics);
+    if (metrics.method.empty()) return ended;  // not even begun
+    rows.push_back(metrics);
+    started += ended == kExitDone;
+    if (ended != kExitDone && ended != kExitNeverInitialised && code == kExitDone) code = ended;
+    if (ended == kExitInterrupted) break;
+  }
+  fmt::print("{}\n{}files       {}\n", arguments.run.sequence, methodTable(rows), arguments.out);
+  return code == kExitDone && started == 0 ? kExitNeverInitialised : code;
+}
+
+int runRun(const Arguments& arguments) {
+  if (looksLikeRecording(arguments.run.sequence))
+    return reportError(usageError("is a recording, run needs a sequence", arguments.run.sequence, "open it with svoscope view"));
+  if (arguments.run.methods.size() > 1) return runAll(arguments);
+  RunMetrics metrics;
+  return runOne(arguments, true, metrics);
 }
 
 }  // namespace

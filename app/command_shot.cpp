@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/command.h"
+#include "app/open_runs.h"
 #include "app/run_settings.h"
 #include "ui/application.h"
 #include "ui/harness/script.h"
@@ -16,6 +17,7 @@ namespace {
 
 struct Arguments {
   RunSettings run;
+  CompareSettings compare;
   std::string script, out;
   std::string size = "1600x1000";
   double scale = 1;
@@ -43,7 +45,7 @@ int runShot(const Arguments& a) {
   // Scripts name frames and seeds: only the synchronous engine gives the same ones every time.
   RunnerOptions options;
   options.threaded = false;
-  auto runner = run.open(options);
+  auto runner = openRuns(run, a.compare, options);
   if (!runner.ok()) return reportError(runner.error());
   ui::InspectorOptions inspector;
   inspector.runner = std::move(runner).value();
@@ -72,6 +74,7 @@ void addShotCommand(CLI::App& app, Action& action) {
   command->footer(
       "Example:\n"
       "  svoscope shot synthetic:room --script tour.script --out pictures --size 1920x1080\n"
+      "  svoscope shot synthetic:room --method all --script compare.script --out pictures\n"
       "\n"
       "SEQUENCE may be left out if the script begins with open SEQUENCE. The script language is\n"
       "described in docs/scripts.md.\n"
@@ -79,6 +82,7 @@ void addShotCommand(CLI::App& app, Action& action) {
       "Exit codes: 0 the script ran to its end, 1 an expect or run-to was not met, 2 a command\n"
       "cannot be carried out, 3 the script or sequence cannot be read, 4 a picture cannot be written.");
   a->run.addTo(*command, false);
+  a->compare.addTo(*command);
   command->add_option("--script", a->script, "Script of actions")->required()->type_name("FILE");
   command->add_option("--out", a->out, "Folder of the pictures")->required()->type_name("DIR");
   command->add_option("--size", a->size, "Size in pixels, WxH")

@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/open_runs.h"
 #include "app/run_settings.h"
 #include "app/tour.h"
+#include "engine/runner/lockstep_runner.h"
 #include "ui/application.h"
 
 namespace svoscope {
@@ -15,6 +17,7 @@ namespace {
 
 struct Arguments {
   RunSettings run;
+  CompareSettings compare;
   bool headless = false, paused = false, sync = false;
   std::string out;
   double scale = 1;
@@ -25,7 +28,7 @@ struct Arguments {
 int runView(const Arguments& a) {
   RunnerOptions options;
   options.threaded = !a.headless && !a.sync;
-  auto runner = a.run.open(options);
+  auto runner = openRuns(a.run, a.compare, options);
   if (!runner.ok()) return reportError(runner.error());
   ui::InspectorOptions inspector;
   inspector.scale = static_cast<float>(a.scale);
@@ -34,7 +37,8 @@ int runView(const Arguments& a) {
   if (a.headless) {
     inspector.surface = ui::SurfaceKind::osmesa;
     inspector.out = a.out.empty() ? "svoscope-screens" : a.out;
-    auto script = writeTour(inspector.out, runner.value()->info());
+    const bool several = dynamic_cast<const LockstepRunner*>(runner.value().get()) != nullptr;
+    auto script = writeTour(inspector.out, runner.value()->info(), several);
     if (!script.ok()) return reportError(script.error());
     inspector.script = script.value();
   } else {
@@ -61,9 +65,11 @@ void addViewCommand(CLI::App& app, Action& action) {
       "Examples:\n"
       "  svoscope synthetic:room\n"
       "  svoscope view SEQUENCE --paused\n"
+      "  svoscope view SEQUENCE --method all --trajectory orb.txt=ORB-SLAM2\n"
       "  svoscope view results/run.svoscope\n"
       "  svoscope view SEQUENCE --headless --out screens");
   a->run.addTo(*command);
+  a->compare.addTo(*command);
   command->add_flag("--headless", a->headless, "No window: render the main screens to PNG files");
   command->add_option("--out", a->out, "Folder of screenshots [., headless: svoscope-screens]")->type_name("DIR");
   command->add_flag("--paused", a->paused, "Show the first frame and wait");

@@ -4,16 +4,40 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "engine/recording/open_run.h"
 
 namespace svoscope {
 
+namespace {
+const std::vector<std::string> kMethods{"svo", "pl-svo", "it-svo"};
+}
+
+RunSettings RunSettings::with(const std::string& other_method) const {
+  RunSettings other = *this;
+  other.method = other_method;
+  other.methods = {other_method};
+  return other;
+}
+
 void RunSettings::addTo(CLI::App& command, bool required, const char* what) {
   command.add_option("SEQUENCE", sequence, what)->required(required);
-  CLI::Option* chosen_method = command.add_option("--method", method, "Odometry method")
-      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
-      ->capture_default_str();
+  const auto choose = [this](const std::vector<std::string>& chosen) {
+    methods.clear();
+    for (const std::string& name : chosen) {
+      for (const std::string& one : name == "all" ? kMethods : std::vector<std::string>{name}) {
+        if (std::find(methods.begin(), methods.end(), one) == methods.end()) methods.push_back(one);
+      }
+    }
+    method = methods.front();
+  };
+  CLI::Option* chosen_method =
+      command.add_option_function<std::vector<std::string>>("--method", choose, "Odometry method; repeatable")
+      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo", "all"}))
+      ->allow_extra_args(false)
+      ->type_name("METHOD")
+      ->default_str(method);
   CLI::Option* chosen_config = command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
   CLI::Option* chosen_set = command.add_option("--set", assignments, "One parameter as key=value; repeatable")
       ->allow_extra_args(false)
@@ -43,19 +67,28 @@ Result<Parameters> RunSettings::parameters() const {
 }
 
 Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
+  const Result<Parameters> checked = parameters();  // before a large sequence is opened
+  if (!checked.ok()) return checked.error();
+  if (looksLikeRecording(sequence)) {
+    for (const CLI::Option* option : of_engine_) {
+      if (option->count() > 0)
+        return usageError("a recording brings its own method and parameters", option->get_name(), "leave the option out");
+    }
+    return openRun(sequence, options);
+  }
+  auto opened = openSequence(sequence);
+  if (!opened.ok()) return opened.error();
+  return open(std::move(options), std::move(opened).value());
+}
+
+Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options, std::unique_ptr<Sequence> opened) const {
   Result<Parameters> chosen = parameters();
   if (!chosen.ok()) return chosen.error();
   options.parameters = chosen.value();
   options.method = method;
   options.start = start;
   options.max_frames = max_frames;
-  if (looksLikeRecording(sequence)) {
-    for (const CLI::Option* option : of_engine_) {
-      if (option->count() > 0)
-        return usageError("a recording brings its own method and parameters", option->get_name(), "leave the option out");
-    }
-  }
-  return openRun(sequence, options);
+  return makeRunner(std::move(opened), options);
 }
 
 }  // namespace svoscope

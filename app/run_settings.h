@@ -17,6 +17,7 @@ namespace svoscope {
 
 struct RunSettings {
   std::string sequence, method = "svo", config;
+  std::vector<std::string> methods{"svo"};  ///< as chosen by --method, "all" written out; `method` is the first
   std::vector<std::string> assignments;  ///< "key=value"
   int start = 0;
   int max_frames = -1;
@@ -27,6 +28,10 @@ struct RunSettings {
   /// Opens the sequence or recording and makes its runner; `options` brings what is not on the command
   /// line. Usage error for options of the engine with a recording.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options) const;
+  /// The same on a sequence that is open already.
+  Result<std::unique_ptr<Runner>> open(RunnerOptions options, std::unique_ptr<Sequence> opened) const;
+  /// The same settings with another method.
+  RunSettings with(const std::string& other_method) const;
   /// Parameters of --config and --set: input error for the file, usage error for the line.
   Result<Parameters> parameters() const;
 

@@ -8,7 +8,8 @@
 
 namespace svoscope {
 
-Result<std::filesystem::path> writeTour(const std::filesystem::path& folder, const RunInfo& info) {
+Result<std::filesystem::path> writeTour(const std::filesystem::path& folder, const RunInfo& info,
+                                        bool several) {
   std::error_code ec;
   std::filesystem::create_directories(folder, ec);
   const auto file = folder / "tour.script";
@@ -28,6 +29,7 @@ Result<std::filesystem::path> writeTour(const std::filesystem::path& folder, con
       "layout Evaluation\n"
       "shot 4-evaluation.png\n",
       early, middle);
+  if (several) out << "layout Compare\nshot 5-compare.png\n";
   out.close();
   if (!out) return outputError("cannot be written", file.string(), "choose another folder with --out");
   return file;

@@ -19,7 +19,9 @@ const std::vector<Shortcut>& shortcuts() {
       {"-", "Zoom the image out", Key::minus, false, Action::zoom_out},
       {",", "Update before, of the selected seed", Key::comma, false, Action::previous_update},
       {".", "Next update of the selected seed", Key::period, false, Action::next_update},
-      {"1 … 5", "Layouts", keyOf('1'), false, Action::layout_1},
+      {"R", "Next run, with several open", keyOf('R'), false, Action::next_run},
+      {"Shift + R", "Run before", keyOf('R'), true, Action::previous_run},
+      {"1 … 6", "Layouts", keyOf('1'), false, Action::layout_1},
       {"P", "Screenshot", keyOf('P'), false, Action::screenshot},
       {"?", "This help", Key::slash, true, Action::help},
       {"Esc", "Select nothing, close help", Key::escape, false, Action::clear},
@@ -49,8 +51,9 @@ std::vector<Action> pressedActions() {
     if (pressed(s.key, repeats(s.action))) actions.push_back(s.action);
   }
   if (io.KeyShift) return actions;
-  const Action layouts[] = {Action::layout_2, Action::layout_3, Action::layout_4, Action::layout_5};
-  for (int i = 0; i < 4; ++i) {
+  const Action layouts[] = {Action::layout_2, Action::layout_3, Action::layout_4, Action::layout_5,
+                            Action::layout_6};
+  for (int i = 0; i < 5; ++i) {
     if (pressed(keyOf(static_cast<char>('2' + i)), false)) actions.push_back(layouts[i]);
   }
   return actions;

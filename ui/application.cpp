@@ -24,17 +24,26 @@ void report(Host& host) {
   for (const std::string& warning : host.takeWarnings()) spdlog::warn("{}", warning);
 }
 
-/// What the user asked for in the last frame: a picture of it, another scale.
-void serveRequests(Host& host, Inspector& inspector) {
-  if (const std::optional<float> scale = inspector.takeScaleRequest()) host.setScale(*scale);
-  const std::optional<std::string> file = inspector.takeScreenshotRequest();
-  if (!file) return;
-  const Status status = host.screenshot(*file);
+bool save(Host& host, Inspector& inspector, const std::string& file, const std::optional<ProbeRect>& part) {
+  const Status status = host.screenshot(file, part);
   if (status) {
-    spdlog::info("saved {}", *file);
+    spdlog::info("saved {}", file);
   } else {
     inspector.state().toasts.add(status.error().message(), true);
     spdlog::error("{}", status.error().message());
+  }
+  return status.ok();
+}
+
+/// What the user asked for in the last frame: a picture of it, another scale.
+void serveRequests(Host& host, Inspector& inspector) {
+  if (const std::optional<float> scale = inspector.takeScaleRequest()) host.setScale(*scale);
+  if (const std::optional<std::string> file = inspector.takeScreenshotRequest()) {
+    save(host, inspector, *file, std::nullopt);
+  }
+  if (const std::optional<ExportRequest> picture = inspector.takePictureRequest()) {
+    const bool saved = save(host, inspector, picture->file, Probe::find("panel:" + picture->panel));
+    if (saved) inspector.state().toasts.add("Wrote " + picture->file);
   }
 }
 

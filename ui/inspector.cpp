@@ -9,6 +9,7 @@
 
 #include "ui/layout_view.h"
 #include "ui/palette.h"
+#include "ui/panels/panel_export.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -17,6 +18,8 @@ namespace svoscope::ui {
 
 namespace {
 
+constexpr std::uint32_t kRunSlots = 100;  // textures of a run's panels
+
 const std::map<std::string, void (*)(PanelContext&)>& panelTable() {
   static const std::map<std::string, void (*)(PanelContext&)> table{
       {"Image", drawImagePanel},           {"3-D", drawScenePanel},
@@ -24,7 +27,9 @@ const std::map<std::string, void (*)(PanelContext&)>& panelTable() {
       {"KL / JS", drawDivergencePanel},    {"Filter lab", drawLabPanel},
       {"Plots", drawPlotsPanel},           {"Timing", drawTimingPanel},
       {"Funnel", drawFunnelPanel},         {"Selection", drawSelectionPanel},
-      {"Evaluation", drawEvaluationPanel}, {"Parameters", drawParametersPanel},
+      {"Evaluation", drawEvaluationPanel}, {"Compare images", drawCompareImagesPanel},
+      {"Compare 3-D", drawCompareScenePanel}, {"Compare metrics", drawCompareMetricsPanel},
+      {"Compare plots", drawComparePlotsPanel}, {"Parameters", drawParametersPanel},
       {"Log", drawLogPanel},               {"Help", drawHelpPanel}};
   return table;
 }
@@ -42,7 +47,10 @@ bool beginFixed(const char* name, ImVec2 lo, ImVec2 hi, ImU32 color, ImVec2 padd
 
 }  // namespace
 
-Inspector::Inspector(Runner& runner, Graphics& graphics) : runner_(runner), graphics_(graphics) {}
+Inspector::Inspector(Runner& runner, Graphics& graphics)
+    : runner_(runner), graphics_(graphics), runs_(runner), views_(static_cast<std::size_t>(runs_.size())) {
+  for (int i = 0; i < runs_.size(); ++i) caches_.push_back(std::make_unique<PanelCaches>());
+}
 
 void Inspector::applyTheme(float scale) {
   state_.ui_scale = scale;
@@ -75,23 +83,57 @@ void Inspector::showPreset(const std::string& name) {
   layoutChanged();
 }
 
-PanelContext Inspector::makeContext() {
-  if (caches_.run.update(runner_)) {
+void Inspector::switchRun() {
+  const int next = std::exchange(state_.run_request, -1), before = runs_.current();
+  if (next < 0 || next == before) return;
+  const Status status = runs_.setCurrent(next);
+  if (!status.ok()) return state_.toasts.add(status.error().message(), true);
+  RunView& left = views_[static_cast<std::size_t>(before)];
+  left = {state_.selection, state_.highlighted, state_.seed.pinned, state_.divergence, state_.scene};
+  const RunView& entered = views_[static_cast<std::size_t>(next)];
+  state_.selection = entered.selection;
+  state_.highlighted = entered.highlighted;
+  state_.seed.pinned = entered.pinned;
+  state_.divergence = entered.divergence;
+  // Maps differ in scale and direction: each has a viewpoint of its own, the filters are shared.
+  const SceneOptions &from = entered.scene, filters = state_.scene;
+  state_.scene = filters;
+  state_.scene.target = from.target;
+  state_.scene.distance = from.distance;
+  state_.scene.yaw = from.yaw;
+  state_.scene.pitch = from.pitch;
+  state_.scene.fitted = from.fitted;
+  state_.scene.fitted_points = from.fitted_points;
+}
+
+void Inspector::updateRuns() {
+  for (int i = 0; i < runs_.size(); ++i) {
+    if (!caches_[static_cast<std::size_t>(i)]->run.update(runs_.run(i))) continue;
+    RunView& view = views_[static_cast<std::size_t>(i)];
+    view = RunView();
     state_.viewed_frame = -1;
+    state_.compare_scene.fitted = false;
+    if (i != runs_.current()) continue;
     state_.selection = {};
     state_.highlighted.clear();
     state_.seed.pinned.clear();
     state_.divergence.brushed = false;
     state_.scene.fitted = false;
   }
-  PanelContext c{runner_, graphics_, state_, caches_, runner_.info(), runner_.status(), runner_.latest(),
-                 nullptr, nullptr, renderer_};
+}
+
+PanelContext Inspector::makeContext() {
+  switchRun();
+  updateRuns();
+  graphics_.setFirstSlot(kRunSlots * static_cast<std::uint32_t>(runs_.current()));
+  PanelContext c{runner_, graphics_, state_,  now(),    runs_,   caches_, compare_, runner_.info(),
+                 runner_.status(), runner_.latest(), nullptr, nullptr, runs_.frame(), renderer_};
   if (state_.viewed_frame >= c.engineFrame()) state_.viewed_frame = -1;
-  c.snapshot = c.live() ? c.latest : runner_.at(state_.viewed_frame);
-  c.record = c.snapshot ? &c.snapshot->record : caches_.run.find(c.viewedFrame());
-  caches_.truth.update(caches_.run.records(), c.info.ground_truth, static_cast<AlignMode>(state_.align_mode),
-                       caches_.run.generation(), !c.status.playing);
-  caches_.selection.update(runner_, state_.selection, c.latest);
+  c.snapshot = runs_.size() > 1 || !c.live() ? runner_.at(c.viewedFrame()) : c.latest;
+  c.record = c.snapshot ? &c.snapshot->record : now().run.find(c.viewedFrame());
+  now().truth.update(now().run.records(), c.info.ground_truth, static_cast<AlignMode>(state_.align_mode),
+                     now().run.generation(), !c.status.playing);
+  now().selection.update(runner_, state_.selection, c.latest);
   return c;
 }
 
@@ -104,6 +146,7 @@ void Inspector::draw() {
   if (!std::exchange(state_.search_line.fresh, false)) state_.search_line = {};
   if (!std::exchange(state_.search_hover.fresh, false)) state_.search_hover = {};
   state_.seed.step_request = 0;
+  finishExport(context);
   drawHelp(context);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   state_.toasts.draw({display.x - grid(3), display.y - grid(9)});
@@ -139,12 +182,16 @@ void Inspector::drawBody(PanelContext& context) {
   view.maximized = &state_.maximized;
   view.draw_panel = [&](const std::string& panel) {
     const auto found = panelTable().find(panel);
-    if (found != panelTable().end()) found->second(context);
+    if (found == panelTable().end()) return;
+    drawExporting(context, panel, found->second);
   };
+  view.exportable = [](const std::string& panel) { return panel != "Help" && panel != "Parameters"; };
   if (transport_top - top > grid(4)) {
     drawLayout(state_.layout, {0, top + grid(0.5f)}, {display.x, transport_top - grid(1)}, view);
   }
   if (view.changed) layoutChanged();
+  if (!view.export_clicked.empty()) openExportMenu(view.export_clicked);
+  drawExportMenu(context);
   if (transport > 0) {
     const ImVec2 lo{0, transport_top}, hi{display.x, status_top};
     if (beginFixed("##transport", lo, hi, ink::panel, {grid(2), grid(1.5f)})) drawTransportPanel(context);
@@ -183,10 +230,10 @@ void Inspector::togglePlay() {
 }
 
 void Inspector::step(bool back) {
-  const SnapshotPtr latest = runner_.latest();
-  if (!back && (state_.viewed_frame < 0 || !latest)) return runner_.send(Command());
-  if (!latest) return;
-  const int first = runner_.status().history_first, newest = latest->record.index;
+  const int newest = runs_.frame();
+  if (!back && (state_.viewed_frame < 0 || newest < 0)) return runner_.send(Command());
+  if (newest < 0) return;
+  const int first = runner_.status().history_first;
   const int now = state_.viewed_frame < 0 ? newest : state_.viewed_frame;
   const int target = back ? now - 1 : now + 1;
   if (target < first) return state_.toasts.add("No older frame is held");
@@ -197,8 +244,7 @@ void Inspector::step(bool back) {
 void Inspector::stepUpdate(int by) { state_.seed.step_request += by; }
 
 void Inspector::requestScreenshot() {
-  const SnapshotPtr latest = runner_.latest();
-  const int frame = state_.viewed_frame >= 0 ? state_.viewed_frame : latest ? latest->record.index : 0;
+  const int frame = state_.viewed_frame >= 0 ? state_.viewed_frame : std::max(0, runs_.frame());
   const std::string name = runName(runner_.info()) + format("_frame%05d.png", frame);
   state_.screenshot = (std::filesystem::path(state_.output_folder) / name).string();
   state_.toasts.add("Screenshot " + name);
@@ -230,7 +276,10 @@ void Inspector::act(Action action) {
     case Action::layout_3:
     case Action::layout_4:
     case Action::layout_5:
+    case Action::layout_6:
       return showPreset(presetNames()[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::layout_1)]);
+    case Action::next_run: state_.run_request = runs_.neighbour(1); return;
+    case Action::previous_run: state_.run_request = runs_.neighbour(-1); return;
     case Action::previous_update: return stepUpdate(-1);
     case Action::next_update: return stepUpdate(1);
     case Action::help: state_.show_help = !state_.show_help; return;

@@ -10,13 +10,15 @@
 #include "ui/actions.h"
 #include "ui/content.h"
 #include "ui/panels/panel_context.h"
-#include "ui/render/graphics.h"
+#include "ui/render/slot_graphics.h"
+#include "ui/runs.h"
 #include "ui/ui_state.h"
 
 namespace svoscope::ui {
 
 class Inspector : public UiContent {
  public:
+  /// Several runs in lockstep if `runner` is a LockstepRunner.
   Inspector(Runner& runner, Graphics& graphics);
 
   void draw() override;
@@ -25,13 +27,17 @@ class Inspector : public UiContent {
   std::optional<std::string> takeScreenshotRequest() override;
 
   UiState& state() { return state_; }
-  const PanelCaches& caches() const { return caches_; }
+  /// Of the current run.
+  const PanelCaches& caches() const { return *caches_[static_cast<std::size_t>(runs_.current())]; }
+  const CompareData& compare() const { return compare_; }
 
   /// Restores the layout from `path` if it is there, and saves it there when it changes. Not used
   /// without a window, so that pictures do not depend on what was saved.
   void useLayoutFile(const std::string& path);
   /// What renders, for the status bar.
   void setRenderer(const std::string& description) { renderer_ = description; }
+  /// A panel to be saved as a picture, once, when nothing lies over it any more.
+  std::optional<ExportRequest> takePictureRequest();
   /// UI scale chosen in the menu, once; the host makes fonts and theme of that size.
   std::optional<float> takeScaleRequest();
 
@@ -40,7 +46,19 @@ class Inspector : public UiContent {
   void showPreset(const std::string& name);
 
  private:
+  /// What the user looks at in a run; kept while another one is the current one.
+  struct RunView {
+    Selection selection;
+    std::set<std::int64_t> highlighted;
+    std::vector<std::int64_t> pinned;
+    DivergenceOptions divergence;
+    SceneOptions scene;
+  };
+
   PanelContext makeContext();
+  PanelCaches& now() { return *caches_[static_cast<std::size_t>(runs_.current())]; }
+  void switchRun();
+  void updateRuns();
   void drawWindow(PanelContext& context);
   void drawBody(PanelContext& context);
   void drawHelp(PanelContext& context);
@@ -48,6 +66,12 @@ class Inspector : public UiContent {
   void drawFileMenu(PanelContext& context);
   void drawRunMenu(PanelContext& context);
   void drawViewMenu();
+  void drawRunTabs();
+  void drawExporting(PanelContext& context, const std::string& panel, void (*draw_panel)(PanelContext&));
+  void openExportMenu(const std::string& panel);
+  void drawExportMenu(PanelContext& context);
+  void finishExport(PanelContext& context);
+  void reportExport(const ExportRequest& request, const Status& written);
   void step(bool back);
   void stepUpdate(int by);
   void togglePlay();
@@ -55,9 +79,12 @@ class Inspector : public UiContent {
   void layoutChanged();
 
   Runner& runner_;
-  Graphics& graphics_;
+  SlotGraphics graphics_;
+  Runs runs_;
   UiState state_;
-  PanelCaches caches_;
+  std::vector<std::unique_ptr<PanelCaches>> caches_;  ///< of each run
+  std::vector<RunView> views_;                        ///< of each run
+  CompareData compare_;
   std::string layout_file_, renderer_;
   std::optional<float> scale_request_;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The inspector's menu bar.
+#include <algorithm>
 #include <cmath>
 
 #include "ui/inspector.h"
@@ -7,6 +8,7 @@
 #include "ui/panels/export.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -29,13 +31,13 @@ bool beginMenu(const char* label) {
 }  // namespace
 
 void Inspector::drawFileMenu(PanelContext& context) {
-  const bool any = !caches_.run.records().empty();
+  const bool any = !now().run.records().empty();
   if (menuItem("Screenshot", "P")) act(Action::screenshot);
   if (menuItem("Export trajectory", "TUM", false, any)) {
-    exportText(context, "trajectory.txt", trajectoryText(caches_.run.records()));
+    exportText(context, "trajectory.txt", trajectoryText(now().run.records()));
   }
   if (menuItem("Export frames", "CSV", false, any)) {
-    exportText(context, "frames.csv", framesCsv(caches_.run));
+    exportText(context, "frames.csv", framesCsv(now().run));
   }
   ImGui::Separator();
   if (menuItem("Quit")) state_.close = true;
@@ -49,12 +51,13 @@ void Inspector::drawRunMenu(PanelContext& context) {
   if (menuItem("To next keyframe", "Shift + Right")) act(Action::next_keyframe);
   if (menuItem("To loss of tracking", "L")) act(Action::next_loss);
   if (menuItem("To two-view start")) context.send(Command::Kind::run_to_start);
+  if (runs_.size() > 1 && menuItem("Next run", "R")) act(Action::next_run);
   ImGui::Separator();
   if (menuItem("Reset##menu")) context.send(Command::Kind::reset);
 }
 
 void Inspector::drawViewMenu() {
-  const char* keys[] = {"1", "2", "3", "4", "5"};
+  const char* keys[] = {"1", "2", "3", "4", "5", "6"};
   for (std::size_t i = 0; i < presetNames().size(); ++i) {
     const std::string label = presetNames()[i] + " layout";
     if (menuItem(label.c_str(), keys[i], state_.layout.name == presetNames()[i])) showPreset(presetNames()[i]);
@@ -80,6 +83,39 @@ void Inspector::drawViewMenu() {
   ImGui::EndMenu();
 }
 
+/// One tab per run at the right end of the bar; trajectories are listed, too, but cannot be entered.
+void Inspector::drawRunTabs() {
+  if (runs_.size() < 2) return;
+  const float pad = grid(2), swatch = ImGui::GetFontSize(), gap = grid(1), height = ImGui::GetFrameHeight();
+  const auto widthOf = [&](const RunStyle& s) { return ImGui::CalcTextSize(s.label.c_str()).x + swatch + 2 * pad; };
+  float total = 0;
+  for (int i = 0; i < runs_.size(); ++i) total += widthOf(runs_.style(i)) + gap;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - grid(1);
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.x = std::max(at.x + grid(2), right - total);
+  for (int i = 0; i < runs_.size(); ++i) {
+    const RunStyle& style = runs_.style(i);
+    const ImVec2 hi{at.x + widthOf(style), at.y + height};
+    ImGui::SetCursorScreenPos(at);
+    ImGui::PushID(i);
+    const bool pressed = ImGui::InvisibleButton("##run", {hi.x - at.x, height});
+    ImGui::PopID();
+    const bool hovered = ImGui::IsItemHovered(), current = i == runs_.current();
+    Probe::record("run:" + style.name, at, hi);
+    tooltip(style.poses_only ? "Trajectory of another system, in the Compare panels" : current ? "The current run" : "Make it the current run (R: next)");
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (current) list->AddRectFilled(at, hi, ink::panel);
+    if (current) list->AddRectFilled(at, {hi.x, at.y + dp(2)}, style.color);
+    const ImVec2 middle{at.x + pad + swatch * 0.4f, at.y + height / 2};
+    drawSwatch(style.dash == Dash::solid ? Swatch::line : style.dash == Dash::dashed ? Swatch::dashed : Swatch::dotted,
+               middle, swatch * 0.28f, style.color);
+    const ImU32 color = style.poses_only ? ink::faint : current || hovered ? ink::text : ink::dim;
+    list->AddText({at.x + pad + swatch, at.y + (height - ImGui::GetFontSize()) / 2}, color, style.label.c_str());
+    if (pressed && !style.poses_only) state_.run_request = i;
+    at.x = hi.x + gap;
+  }
+}
+
 void Inspector::drawMenu(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {grid(2), grid(2)});
   if (ImGui::BeginMenuBar()) {
@@ -99,6 +135,7 @@ void Inspector::drawMenu(PanelContext& context) {
       if (menuItem("Shortcuts…", "?")) state_.show_help = true;
       ImGui::EndMenu();
     }
+    drawRunTabs();
     ImGui::EndMenuBar();
   }
   ImGui::PopStyleVar();

@@ -21,6 +21,9 @@ const char* presetText(const std::string& name) {
   if (name == "Evaluation")
     return "Evaluation|h 0.56 ( v 0.60 ( [3-D] [Plots,Timing] ) "
            "v 0.58 ( [Evaluation] [Image,Log,Selection] ) )";
+  if (name == "Compare")
+    return "Compare|h 0.55 ( v 0.44 ( [Compare images] [Compare 3-D] ) "
+           "v 0.45 ( [Compare metrics,Image,Log] [Compare plots,Plots,Evaluation] ) )";
   if (name == "Image only") return "Image only|[Image]";
   return "Tracking|h 0.60 ( v 0.66 ( [Image] [Plots,Timing,Evaluation] ) "
          "v 0.50 ( [3-D] [Funnel,Selection,Log,Parameters] ) )";
@@ -109,14 +112,17 @@ Layout& Layout::operator=(const Layout& o) {
 }
 
 const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names{"Tracking", "Seeds", "KL / JS", "Evaluation", "Image only"};
+  static const std::vector<std::string> names{"Tracking", "Seeds", "KL / JS", "Evaluation", "Compare",
+                                              "Image only"};
   return names;
 }
 
 const std::vector<std::string>& panelNames() {
   static const std::vector<std::string> names{
-      "Image",  "3-D",       "Seed",       "Epipolar search", "KL / JS", "Filter lab", "Plots",
-      "Timing", "Funnel",    "Selection",  "Evaluation",      "Parameters", "Log",     "Help"};
+      "Image",          "3-D",         "Seed",            "Epipolar search", "KL / JS",
+      "Filter lab",     "Plots",       "Timing",          "Funnel",          "Selection",
+      "Evaluation",     "Compare images", "Compare 3-D",  "Compare metrics", "Compare plots",
+      "Parameters",     "Log",         "Help"};
   return names;
 }
 

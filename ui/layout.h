@@ -29,7 +29,7 @@ struct Layout {
   Layout& operator=(const Layout& o);  ///< deep copy
 };
 
-const std::vector<std::string>& presetNames();  ///< "Tracking", "Seeds", "KL / JS", "Evaluation", "Image only"
+const std::vector<std::string>& presetNames();  ///< "Tracking", "Seeds", "KL / JS", "Evaluation", "Compare", "Image only"
 Layout presetLayout(const std::string& name);   ///< "Tracking" if unknown
 
 const std::vector<std::string>& panelNames();   ///< every panel that can be in a layout

@@ -38,6 +38,21 @@ float tab(const std::string& name, ImVec2 at, bool active, bool& clicked, bool& 
   return width;
 }
 
+// At the right end, where there is room; returns where the rest of the bar begins.
+float exportButton(const std::string& panel, float x, ImVec2 lo, ImVec2& hi, LayoutView& view) {
+  const float width = ImGui::CalcTextSize("Export").x + grid(4);
+  if (!view.exportable || !view.exportable(panel) || hi.x - width < x + grid(2)) return x;
+  const ImVec2 at{hi.x - width, lo.y};
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton("##export", {width, titleHeight()})) view.export_clicked = panel;
+  Probe::record("export:" + panel, at, {hi.x, lo.y + titleHeight()});
+  const ImU32 color = ImGui::IsItemHovered() ? ink::text : ink::dim;
+  ImGui::GetWindowDrawList()->AddText(
+      {at.x + grid(2), std::round(lo.y + (titleHeight() - ImGui::GetFontSize()) / 2)}, color, "Export");
+  hi.x = at.x;
+  return x;
+}
+
 void titleBar(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(lo, {hi.x, lo.y + titleHeight()}, ink::title);
@@ -53,6 +68,7 @@ void titleBar(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
     }
     if (doubled) toggleMaximized(view, name);
   }
+  x = exportButton(node.panels[static_cast<std::size_t>(node.active)], x, lo, hi, view);
   if (hi.x > x + 1) {
     ImGui::SetCursorScreenPos({x, lo.y});
     ImGui::InvisibleButton("##rest", {hi.x - x, titleHeight()});
@@ -72,7 +88,8 @@ void drawLeaf(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
   ImGui::GetWindowDrawList()->AddRectFilled(top, hi, ink::panel);
   ImGui::SetCursorScreenPos(top);
   // Pictures are zoomed by the wheel; the lists below scroll.
-  const bool picture = panel == "Image" || panel == "3-D" || panel == "Plots";
+  const bool picture = panel == "Image" || panel == "3-D" || panel == "Plots" ||
+                       panel == "Compare images" || panel == "Compare 3-D" || panel == "Compare plots";
   const ImGuiWindowFlags flags =
       ImGuiWindowFlags_AlwaysUseWindowPadding | (picture ? ImGuiWindowFlags_NoScrollWithMouse : 0);
   const ImVec2 size{std::max(1.0f, hi.x - lo.x), std::max(1.0f, hi.y - top.y)};

@@ -60,6 +60,11 @@ ImU32 methodColor(const std::string& method) {
   return okabe::sky;
 }
 
+ImU32 otherRunColor(int index) {
+  constexpr std::array<ImU32, 4> colors = {okabe::green, okabe::yellow, okabe::vermillion, okabe::grey};
+  return colors[static_cast<std::size_t>(index) % colors.size()];
+}
+
 const char* methodName(const std::string& method) {
   if (method == "svo") return "SVO";
   if (method == "pl-svo") return "PL-SVO";

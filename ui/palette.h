@@ -48,6 +48,8 @@ ImVec4 toVec4(ImU32 color);
 
 /// One colour per method, everywhere: "svo", "pl-svo", "it-svo".
 ImU32 methodColor(const std::string& method);
+/// Runs that are not the first of their method, and trajectories of other systems; counted from 0.
+ImU32 otherRunColor(int index);
 /// The two rules of the depth filter, everywhere; lines of KL are dashed, too, its points diamonds.
 enum class Rule : int { kl, js };
 ImU32 ruleColor(Rule rule);

@@ -89,6 +89,12 @@ struct SearchLine {
   bool matched = false;
 };
 
+/// The Compare panels.
+struct CompareOptions {
+  bool features = true, seeds = false;  ///< over the images
+  ImageViewState view;                  ///< of all images alike
+};
+
 struct DivergenceOptions {
   bool whole_run = true;       ///< else the viewed frame only
   bool brush_changed = false;  ///< the highlighted seeds must be found again
@@ -103,6 +109,13 @@ struct LabSettings {
   float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
 };
 
+/// A panel to be written into a file; CSV and SVG by the inspector, PNG by who has the pixels.
+struct ExportRequest {
+  std::string panel, file;
+  bool quiet = false;  ///< by a script: no message over its pictures
+  bool fresh = true;   ///< the panels had no frame yet to draw themselves
+};
+
 struct UiState {
   int viewed_frame = -1;  ///< -1: live, follows the engine
   Selection selection;
@@ -112,6 +125,9 @@ struct UiState {
   SearchHover search_hover;
   SearchLine search_line;
   DivergenceOptions divergence;
+  CompareOptions compare;
+  SceneOptions compare_scene;
+  int run_request = -1;        ///< run to become the current one in the next UI frame
   LabSettings lab;
   int lab_section = 0;         ///< divergences, two views, population, all
   bool lab_wait = false;       ///< hold the window until the population is simulated; for scripts
@@ -133,6 +149,11 @@ struct UiState {
   std::string output_folder = ".";  ///< of exports and screenshots
   Toasts toasts;
   std::optional<std::string> screenshot;
+  std::optional<ExportRequest> export_request;  ///< CSV or SVG, done in the next UI frame
+  std::optional<ExportRequest> picture_request; ///< PNG
+  int picture_delay = 0;                        ///< UI frames until then: a menu must have gone
+  std::string export_menu;                      ///< panel whose export menu is open
+  std::string export_error;                     ///< of the last export; empty: it was written
   bool close = false;
 };
 

@@ -13,7 +13,7 @@ import sys
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCRIPTS = ["readme.script", "screens.script", "tracking.script"]
+SCRIPTS = ["readme.script", "screens.script", "tracking.script", "compare.script"]
 
 
 def command_of(script):

@@ -320,6 +320,8 @@ void FakeRunner::fillRecord(Snapshot& s) const {
   r.state = stateOf(r.index);
   r.pose_good = r.state == TrackingState::tracking;
   r.T_world_cam = estimate(r.index);
+  const Vec3 bent(0, options_.bend * r.index * r.index, 0);
+  r.T_world_cam = SE3(r.T_world_cam.quaternion(), r.T_world_cam.translation() + bent);
   r.is_keyframe = r.pose_good && (r.index - options_.start) % 9 == 0;
   r.keyframe_id = r.is_keyframe ? (r.index - options_.start) / 9 : -1;
   r.keyframe_reason = r.is_keyframe ? "moved 12 % of the median depth" : "moved 4 % of the median depth, needs 12 %";

@@ -24,6 +24,7 @@ struct FakeOptions {
   bool ground_truth = true;
   bool features = true;      ///< else every frame is empty
   std::string method = "it-svo";
+  double bend = 0;           ///< map units by which the estimate leaves the path per frame squared
 };
 
 class FakeRunner : public Runner {

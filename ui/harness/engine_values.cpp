@@ -2,7 +2,11 @@
 #include "ui/harness/engine_values.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "engine/io/run_metrics.h"
+#include "ui/panels/truth.h"
 
 namespace svoscope::ui {
 namespace {
@@ -28,6 +32,17 @@ ScriptValue eventTexts(const Now& now) {
 int countOf(const Now& now, bool (*which)(const FrameRecord&)) {
   const std::vector<FrameRecord> records = now.runner.records(0);
   return static_cast<int>(std::count_if(records.begin(), records.end(), which));
+}
+
+RunMetrics metricsOf(const Now& now) {
+  const std::vector<FrameRecord> records = now.runner.records(0);
+  return metricsOfRecords(records, static_cast<int>(records.size()));
+}
+
+/// NaN without a result: no comparison holds then.
+ScriptValue truthValue(const Now& now, double TruthState::*value) {
+  const TruthState truth = alignTruth(now.runner.records(0), now.runner.info().ground_truth, AlignMode::sim3);
+  return number(truth.valid ? truth.*value : NAN);
 }
 
 const Named kValues[] = {
@@ -57,6 +72,12 @@ const Named kValues[] = {
      [](const Now& n) {
        return number(countOf(n, [](const FrameRecord& r) { return r.pose_good; }));
      }},
+    {"tracked_fraction", [](const Now& n) { return number(metricsOf(n).tracked_fraction_after_init.value_or(0)); }},
+    {"start_frame", [](const Now& n) { return number(metricsOf(n).init_frame.value_or(-1)); }},
+    {"losses", [](const Now& n) { return number(metricsOf(n).losses); }},
+    {"ate", [](const Now& n) { return truthValue(n, &TruthState::ate_rmse); }},
+    {"rpe", [](const Now& n) { return truthValue(n, &TruthState::rpe_trans); }},
+    {"scale", [](const Now& n) { return truthValue(n, &TruthState::scale); }},
     {"frames_lost", [](const Now& n) {
        return number(
            countOf(n, [](const FrameRecord& r) { return r.state == TrackingState::lost; }));

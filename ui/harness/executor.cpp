@@ -39,6 +39,7 @@ const std::map<std::string, Executor::Action>& Executor::actions() {
       {"open", &Executor::open},     {"step", &Executor::step},
       {"run-to", &Executor::runTo},  {"reset", &Executor::reset},
       {"back", &Executor::back},     {"goto", &Executor::gotoFrame},
+      {"run", &Executor::showRun},
       {"select", &Executor::select}, {"panel", &Executor::panel},
       {"layout", &Executor::layout}, {"click", &Executor::click},
       {"hover", &Executor::hover},   {"double-click", &Executor::doubleClick},
@@ -47,6 +48,7 @@ const std::map<std::string, Executor::Action>& Executor::actions() {
       {"type", &Executor::type},     {"wait", &Executor::wait},
       {"set", &Executor::set},       {"scale", &Executor::scale},
       {"size", &Executor::size},     {"shot", &Executor::shot},
+      {"export", &Executor::exportPanel},
       {"expect", &Executor::expect}};
   return table;
 }
@@ -109,6 +111,12 @@ Status Executor::gotoFrame(const ScriptCommand& c) {
   const Result<int> frame = live ? Result<int>(-1) : toCount(c.arguments, 0);
   if (!frame) return frame.error();
   const Status status = stage_.target.showFrame(frame.value());
+  gestures_.tick();
+  return status;
+}
+
+Status Executor::showRun(const ScriptCommand& c) {
+  const Status status = stage_.target.showRun(joined(c.arguments));
   gestures_.tick();
   return status;
 }

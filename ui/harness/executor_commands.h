@@ -36,6 +36,7 @@ class Executor {
   Status back(const ScriptCommand& c);
   Status gotoFrame(const ScriptCommand& c);
   Status select(const ScriptCommand& c);
+  Status showRun(const ScriptCommand& c);
   Status panel(const ScriptCommand& c) { return stage_.target.showPanel(joined(c.arguments)); }
   Status layout(const ScriptCommand& c) { return stage_.target.setLayout(joined(c.arguments)); }
   Status click(const ScriptCommand& c) { return clickWidget(c, 0, 1); }
@@ -51,9 +52,11 @@ class Executor {
   Status scale(const ScriptCommand& c);
   Status size(const ScriptCommand& c);
   Status shot(const ScriptCommand& c);
+  Status exportPanel(const ScriptCommand& c);
   Status expect(const ScriptCommand& c);
 
   Status clickWidget(const ScriptCommand& c, int button, int times);
+  Status picture(const std::filesystem::path& file, const std::string& panel);
   Status needRunner() const;
   int shownFrame() const;
   std::optional<ScriptValue> value(const std::string& name) const;

@@ -93,7 +93,27 @@ Status Executor::size(const ScriptCommand& c) {
 Status Executor::shot(const ScriptCommand& c) {
   std::filesystem::path file = stage_.output / c.arguments.front();
   if (!file.has_extension()) file += ".png";
-  const std::string panel = joined(Words(c.arguments.begin() + 1, c.arguments.end()));
+  return picture(file, joined(Words(c.arguments.begin() + 1, c.arguments.end())));
+}
+
+Status Executor::exportPanel(const ScriptCommand& c) {
+  const std::filesystem::path file = stage_.output / c.arguments.back();
+  const std::string panel = joined(Words(c.arguments.begin(), c.arguments.end() - 1));
+  const std::string kind = file.extension().string();
+  if (kind == ".png") return picture(file, panel);
+  if (kind != ".csv" && kind != ".svg") {
+    return usageError("'" + c.arguments.back() + "' is no kind of file to export", "", "end it in .csv, .svg or .png");
+  }
+  gestures_.tick(kSettlingFrames - 1);
+  Status status = stage_.target.requestExport(panel, file.string());
+  if (!status) return status;
+  gestures_.tick(2);
+  status = stage_.target.exportResult();
+  if (status) report.pictures.push_back(file);
+  return status;
+}
+
+Status Executor::picture(const std::filesystem::path& file, const std::string& panel) {
   gestures_.tick(kSettlingFrames - 1);
   std::optional<ProbeRect> part;
   if (!panel.empty()) {
@@ -115,6 +135,10 @@ std::optional<ScriptValue> Executor::value(const std::string& name) const {
   if (name == "labels") return ScriptValue(Probe::labels());
   if (name == "width") return ScriptValue(double(stage_.host.surface().size().width));
   if (name == "height") return ScriptValue(double(stage_.host.surface().size().height));
+  if (const auto at = name.find('@'); at != std::string::npos) {
+    const Runner* run = stage_.target.findRun(name.substr(at + 1));
+    return run ? engineValue(*run, shownFrame(), name.substr(0, at)) : std::nullopt;
+  }
   if (const std::optional<ScriptValue> known = stage_.target.value(name)) return known;
   if (!stage_.runner) return std::nullopt;
   return engineValue(*stage_.runner, shownFrame(), name);

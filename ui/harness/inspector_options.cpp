@@ -75,6 +75,11 @@ const std::map<std::string, Option>& options() {
       {"scene.distance", member(scene, &SceneOptions::distance)},
       {"scene.yaw", member(scene, &SceneOptions::yaw)},
       {"scene.pitch", member(scene, &SceneOptions::pitch)},
+      {"compare.features", member(&UiState::compare, &CompareOptions::features)},
+      {"compare.seeds", member(&UiState::compare, &CompareOptions::seeds)},
+      {"compare.grid", member(&UiState::compare_scene, &SceneOptions::grid)},
+      {"compare.yaw", member(&UiState::compare_scene, &SceneOptions::yaw)},
+      {"compare.pitch", member(&UiState::compare_scene, &SceneOptions::pitch)},
       {"help", member(&UiState::show_help)},
       {"align_mode", member(&UiState::align_mode)},
   };

@@ -60,12 +60,11 @@ std::pair<int, int> worth(const SeedView& seed) {
 }  // namespace
 
 SnapshotPtr InspectorTarget::shown() const {
-  return state_.viewed_frame < 0 ? runner_.latest() : runner_.at(state_.viewed_frame);
+  return state_.viewed_frame < 0 && runs_.size() == 1 ? runner_.latest() : runner_.at(shownFrame());
 }
 
 Status InspectorTarget::showFrame(int index) {
-  const SnapshotPtr latest = runner_.latest();
-  const int newest = latest ? latest->record.index : -1;
+  const int newest = runs_.frame();
   if (index > newest) {
     return usageError("frame " + std::to_string(index) + " was not processed yet", "",
                       "`run-to " + std::to_string(index) + "` first");
@@ -147,6 +146,37 @@ Status InspectorTarget::setLayout(const std::string& name) {
   return Done{};
 }
 
+Status InspectorTarget::requestExport(const std::string& panel, const std::string& file) {
+  if (!contains(panelNames(), panel)) {
+    return usageError("no panel is called '" + panel + "'", "", listed(panelNames()));
+  }
+  state_.export_request = ExportRequest{panel, file, true, true};
+  state_.export_error = "the panel was not drawn";
+  return Done{};
+}
+
+Status InspectorTarget::exportResult() const {
+  if (state_.export_error.empty()) return Done{};
+  return usageError(state_.export_error, "", "");
+}
+
+Status InspectorTarget::showRun(const std::string& name) {
+  std::vector<std::string> names;
+  for (int i = 0; i < runs_.size(); ++i) names.push_back(runs_.style(i).name);
+  const std::optional<int> run = runs_.find(name);
+  if (!run) return usageError("no run is called '" + name + "'", "", listed(names));
+  if (runs_.style(*run).poses_only) {
+    return usageError("'" + name + "' has poses only", "", "it is shown in the Compare panels");
+  }
+  state_.run_request = *run;
+  return Done{};
+}
+
+const Runner* InspectorTarget::findRun(const std::string& name) const {
+  const std::optional<int> run = runs_.find(name);
+  return run ? &runs_.run(*run) : nullptr;
+}
+
 Status InspectorTarget::set(const std::string& key, const std::string& value) {
   return setOption(state_, key, value);
 }
@@ -156,6 +186,12 @@ std::optional<ScriptValue> InspectorTarget::value(const std::string& name) const
   if (name == "selected.kind") return ScriptValue(std::string(kindName(state_.selection.kind)));
   if (name == "panel") return ScriptValue(state_.maximized.empty() ? "all" : state_.maximized);
   if (name == "layout") return ScriptValue(state_.layout.name);
+  if (name == "run") return ScriptValue(runs_.style(runs_.current()).name);
+  if (name == "runs") {
+    std::vector<std::string> names;
+    for (int i = 0; i < runs_.size(); ++i) names.push_back(runs_.style(i).name);
+    return ScriptValue(names);
+  }
   if (name == "live") return ScriptValue(state_.viewed_frame < 0 ? 1.0 : 0.0);
   if (name == "image.zoom") return ScriptValue(static_cast<double>(state_.image.view.zoom));
   if (const auto option = optionValue(state_, name)) return option;

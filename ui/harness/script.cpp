@@ -22,6 +22,7 @@ constexpr Syntax kSyntax[] = {
     {"back", "[N]", 0, 1, "view N frames earlier (1)"},
     {"goto", "N|live", 1, 1, "view a processed frame, or follow the engine"},
     {"reset", "", 0, 0, "start the run again"},
+    {"run", "NAME", 1, -1, "make another open run the current one, by name or number"},
     {"select", "feature ID|seed ID|at X Y|none", 1, 3, "an ID may be `any`; X Y are image pixels"},
     {"panel", "NAME", 1, -1, "show this panel alone; `panel all` shows the layout again"},
     {"layout", "NAME", 1, -1, "switch to a layout"},
@@ -38,7 +39,8 @@ constexpr Syntax kSyntax[] = {
     {"scale", "S", 1, 1, "size of fonts and widgets"},
     {"size", "WxH", 1, 1, "size of the window in pixels"},
     {"shot", "FILE [PANEL]", 1, -1, "picture of the window or of one panel"},
-    {"expect", "NAME OP VALUE", 3, -1, "stop unless it holds: == != < <= > >= has"},
+    {"export", "PANEL FILE", 2, -1, "what a panel shows, as FILE.csv, .svg or .png"},
+    {"expect", "NAME OP VALUE", 3, -1, "stop unless it holds: == != < <= > >= has; NAME@RUN asks another run"},
 };
 
 const Syntax* findSyntax(const std::string& name) {

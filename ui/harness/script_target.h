@@ -12,6 +12,10 @@
 #include "engine/base/result.h"
 #include "ui/harness/expectation.h"
 
+namespace svoscope {
+class Runner;
+}
+
 namespace svoscope::ui {
 
 class ScriptTarget {
@@ -31,6 +35,16 @@ class ScriptTarget {
   }
   virtual Status showPanel(const std::string& name) { return refuse("panel " + name); }
   virtual Status setLayout(const std::string& name) { return refuse("layout " + name); }
+  /// Asks for the panel's numbers or charts in `file`, .csv or .svg; done in the next frame.
+  virtual Status requestExport(const std::string& panel, const std::string&) { return refuse("panel " + panel); }
+  /// What came of it.
+  virtual Status exportResult() const { return Done{}; }
+  virtual Status showRun(const std::string& name) { return refuse("run " + name); }
+  /// An open run by name or number, for `expect NAME@RUN`; null if there is none.
+  virtual const Runner* findRun(const std::string& name) const {
+    (void)name;
+    return nullptr;
+  }
   virtual Status set(const std::string& key, const std::string&) { return refuse("option " + key); }
   /// Values for `expect` that the engine does not know: "selected.id", "panel", ...
   virtual std::optional<ScriptValue> value(const std::string& name) const {

@@ -10,6 +10,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -29,17 +30,17 @@ ImVec2 drawPatch(PanelContext& c, const Patch& patch, std::uint32_t slot, float 
   const float font = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos(), lo{at.x, at.y + font + grid(0.5f)}, hi{lo.x + side, lo.y + side};
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddText(at, ink::text, patch.title);
-  list->AddRectFilled(lo, hi, ink::canvas);
+  pen::text(list, at, ink::text, patch.title);
+  pen::rectFilled(list, lo, hi, ink::canvas);
   if (!patch.pixels.empty()) {
-    list->AddImage(c.graphics.image(kSlots + slot, patch.pixels, c.caches.search.version(), false), lo, hi);
+    pen::image(list, c.graphics.image(kSlots + slot, patch.pixels, c.caches.search.version(), false), lo, hi, patch.pixels);
   } else {
     const ImVec2 size = ImGui::CalcTextSize("none");
-    list->AddText({(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::faint, "none");
+    pen::text(list, {(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::faint, "none");
   }
-  list->AddRect(lo, hi, ink::line);
+  pen::rect(list, lo, hi, ink::line);
   const std::string below = wrapped(patch.below, side);
-  list->AddText({lo.x, hi.y + grid(0.5f)}, ink::dim, below.c_str());
+  pen::text(list, {lo.x, hi.y + grid(0.5f)}, ink::dim, below.c_str());
   ImGui::Dummy({side, side + font + grid(1) + ImGui::CalcTextSize(below.c_str()).y});
   Probe::record(std::string("patch:") + patch.title, lo, hi);
   return lo;
@@ -74,10 +75,10 @@ void footprint(const std::vector<Vec2f>& corners, const SeedView& seed, ImVec2 l
     const Vec2f d = (corners[static_cast<std::size_t>(i)] - seed.px_ref) / unit;
     p[i] = {lo.x + side / 2 + d.x() * zoom, lo.y + side / 2 + d.y() * zoom};
   }
-  list->PushClipRect(lo, {lo.x + side, lo.y + side}, true);
-  list->AddPolyline(p, 4, IM_COL32(0, 0, 0, 170), ImDrawFlags_Closed, dp(3.5f));
-  list->AddPolyline(p, 4, okabe::yellow, ImDrawFlags_Closed, dp(1.8f));
-  list->PopClipRect();
+  pen::pushClipRect(list, lo, {lo.x + side, lo.y + side}, true);
+  pen::polyline(list, p, 4, IM_COL32(0, 0, 0, 170), ImDrawFlags_Closed, dp(3.5f));
+  pen::polyline(list, p, 4, okabe::yellow, ImDrawFlags_Closed, dp(1.8f));
+  pen::popClipRect(list);
 }
 
 void patches(PanelContext& c, const SearchDetail& d, const SeedView& seed, const SeedUpdateView& u, float side) {

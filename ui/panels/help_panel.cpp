@@ -55,7 +55,14 @@ void drawHelpPanel(PanelContext&) {
     row("Right-click", "Logarithmic scale, export");
     ImGui::EndTable();
   }
+  if (beginTable("Several runs")) {
+    row("R, Shift + R", "Next run, run before; also a click on its tab");
+    row("Click an image", "In Compare images: make that run the current one");
+    row("Wheel, drag", "In Compare images: zoom and pan all alike");
+    ImGui::EndTable();
+  }
   if (beginTable("Panels")) {
+    row("Export", "Numbers as CSV, charts as SVG, the panel as PNG");
     row("Double-click title", "Maximise, again to restore");
     row("Drag the gap", "Resize");
     ImGui::EndTable();

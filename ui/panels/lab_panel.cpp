@@ -11,6 +11,7 @@
 #include "ui/widgets/chart.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -108,7 +109,7 @@ void separation(PanelContext& c, const LabPair& now, ImVec2 size) {
 
 void sketchRay(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float width) {
   const float dx = b.x - a.x, dy = b.y - a.y, n = std::max(1.0f, std::hypot(dx, dy));
-  list->AddLine(a, {a.x + dx / n * 4000, a.y + dy / n * 4000}, color, width);
+  pen::line(list, a, {a.x + dx / n * 4000, a.y + dy / n * 4000}, color, width);
 }
 
 // Top view: cameras at the bottom, the point ahead of the first. Sideways stretched to use the room.
@@ -117,28 +118,28 @@ void sketch(const LabSettings& s, const TwoViews& v, ImVec2 size) {
   const ImVec2 lo = ImGui::GetCursorScreenPos(), hi{lo.x + size.x, lo.y + size.y};
   ImGui::Dummy(size);
   Probe::record("Two views", lo, hi);
-  list->AddRectFilled(lo, hi, ink::canvas);
+  pen::rectFilled(list, lo, hi, ink::canvas);
   const double top = std::min(std::isfinite(v.far_m) ? v.far_m * 1.12 : 3.0 * s.depth, 3.0 * s.depth);
   const double scale = (size.y - grid(9)) / std::max(1e-6, top);
   const double stretch = std::clamp((size.x - grid(40)) / (scale * s.baseline), 0.2, 1000.0);
   const auto at = [&](double x, double z) {
     return ImVec2{lo.x + grid(20) + static_cast<float>(x * scale * stretch), hi.y - grid(6) - static_cast<float>(z * scale)};
   };
-  list->PushClipRect(lo, hi, true);
+  pen::pushClipRect(list, lo, hi, true);
   const ImVec2 first = at(0, 0), second = at(s.baseline, 0), point = at(0, s.depth);
   const double far_end = std::isfinite(v.far_m) ? v.far_m : 10 * s.depth;
   const ImVec2 fan[3] = {second, at(0, v.near_m), at(0, far_end)};
-  list->AddTriangleFilled(fan[0], fan[1], fan[2], withAlpha(okabe::orange, 0.10f));
+  pen::triangleFilled(list, fan[0], fan[1], fan[2], withAlpha(okabe::orange, 0.10f));
   sketchRay(list, first, point, ink::dim, dp(1));
   sketchRay(list, second, at(0, v.near_m), withAlpha(okabe::orange, 0.8f), dp(1.2f));
   sketchRay(list, second, point, ink::text, dp(1.2f));
   if (std::isfinite(v.far_m)) sketchRay(list, second, at(0, v.far_m), withAlpha(okabe::orange, 0.8f), dp(1.2f));
-  list->AddLine(at(0, v.near_m), at(0, far_end), okabe::sky, dp(4));
-  list->AddLine(first, second, okabe::green, dp(2));
+  pen::line(list, at(0, v.near_m), at(0, far_end), okabe::sky, dp(4));
+  pen::line(list, first, second, okabe::green, dp(2));
   for (const ImVec2& camera : {first, second}) {
-    list->AddTriangleFilled({camera.x, camera.y + dp(2)}, {camera.x - dp(6), camera.y - dp(9)}, {camera.x + dp(6), camera.y - dp(9)}, okabe::green);
+    pen::triangleFilled(list, {camera.x, camera.y + dp(2)}, {camera.x - dp(6), camera.y - dp(9)}, {camera.x + dp(6), camera.y - dp(9)}, okabe::green);
   }
-  list->AddCircleFilled(point, dp(4), ink::cursor);
+  pen::circleFilled(list, point, dp(4), ink::cursor);
   const std::string note_text = format("top view, sideways x%.1f; blue: where P may lie", stretch);
   outlinedText(list, {hi.x - ImGui::CalcTextSize(note_text.c_str()).x - grid(2), lo.y + grid(1)}, ink::dim, note_text.c_str());
   const std::string near_text = format("%.2f m", v.near_m), far_text = std::isfinite(v.far_m) ? format("%.2f m", v.far_m) : "infinity";
@@ -147,7 +148,7 @@ void sketch(const LabSettings& s, const TwoViews& v, ImVec2 size) {
   outlinedText(list, {point.x + grid(2), point.y - ImGui::GetFontSize() / 2}, ink::cursor, "P");
   outlinedText(list, {first.x - grid(5), first.y + grid(1)}, okabe::green, "I_r");
   outlinedText(list, {second.x - grid(1), second.y + grid(1)}, okabe::green, "I_k");
-  list->PopClipRect();
+  pen::popClipRect(list);
 }
 
 void relativeError(const LabSettings& s, ImVec2 size) {

@@ -24,8 +24,13 @@ void moveOn(Runner& runner, UiState& state, const Command& command) {
 
 bool saysWhyEmpty(const PanelContext& context) {
   if (context.snapshot) return false;
-  if (!context.latest) {
+  if (!context.latest && context.engineFrame() >= 0) {
+    emptyState("This run has no frame yet", format("The others are at frame %d", context.engineFrame()));
+  } else if (!context.latest) {
     emptyState("No frame yet", "Press Space to play, or the right arrow key to process one frame");
+  } else if (context.latest->record.index < context.viewedFrame()) {
+    emptyState(format("This run has no frame %d", context.viewedFrame()).c_str(),
+               format("Its last one is frame %d", context.latest->record.index));
   } else {
     emptyState(format("Frame %d is no longer held", context.viewedFrame()).c_str(),
                format("The history budget keeps frames from %d on; its numbers remain in the plots",

@@ -2,9 +2,12 @@
 // What a panel sees: one snapshot for the whole UI frame, the run so far, and the user's state.
 #pragma once
 
+#include <memory>
 #include <tuple>
+#include <vector>
 
 #include "engine/runner/runner.h"
+#include "ui/panels/compare_scene.h"
 #include "ui/panels/run_cache.h"
 #include "ui/panels/scene_content.h"
 #include "ui/panels/divergence_view.h"
@@ -16,6 +19,7 @@
 #include "ui/panels/trails.h"
 #include "ui/panels/truth.h"
 #include "ui/render/graphics.h"
+#include "ui/runs.h"
 #include "ui/ui_state.h"
 
 namespace svoscope::ui {
@@ -27,6 +31,7 @@ struct PanelCaches {
   SelectionHistory selection;
   Trails trails;
   SceneContent scene;
+  CompareScene compare_scene;
   SeedTraces traces;
   SearchCache search;
   FilterStats filter;
@@ -40,16 +45,21 @@ struct PanelCaches {
 /// plays from its first frame if that is the last.
 void moveOn(Runner& runner, UiState& state, const Command& command);
 
+/// With several runs open, all but `runs`, `all_caches` and `compare` is of the current one.
 struct PanelContext {
   Runner& runner;
   Graphics& graphics;
   UiState& state;
   PanelCaches& caches;
+  const Runs& runs;
+  std::vector<std::unique_ptr<PanelCaches>>& all_caches;
+  CompareData& compare;
   const RunInfo& info;
   RunnerStatus status;
   SnapshotPtr latest;                   ///< null before the first frame
   SnapshotPtr snapshot;                 ///< of the viewed frame; null if none or no longer held
   const FrameRecord* record = nullptr;  ///< of the viewed frame; null before the first
+  int newest = -1;                      ///< last frame that all runs have; -1 before the first
   std::string size_text;                ///< for the status bar: what renders
 
   /// Last frame that can be viewed: of a recording also what was played before and gone back from.
@@ -59,7 +69,7 @@ struct PanelContext {
   }
 
   bool live() const { return state.viewed_frame < 0; }
-  int engineFrame() const { return latest ? latest->record.index : -1; }
+  int engineFrame() const { return newest; }
   int viewedFrame() const { return live() ? engineFrame() : state.viewed_frame; }
   /// Shows a frame; the newest one means live.
   void view(int frame) const {
@@ -98,6 +108,10 @@ void drawFunnelPanel(PanelContext& context);
 void drawLogPanel(PanelContext& context);
 void drawParametersPanel(PanelContext& context);
 void drawEvaluationPanel(PanelContext& context);
+void drawCompareImagesPanel(PanelContext& context);
+void drawCompareScenePanel(PanelContext& context);
+void drawCompareMetricsPanel(PanelContext& context);
+void drawComparePlotsPanel(PanelContext& context);
 void drawHelpPanel(PanelContext& context);
 void drawStatusBar(PanelContext& context);
 

@@ -4,7 +4,7 @@
 
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
-#include "ui/panels/scene_camera.h"
+#include "ui/panels/scene_view.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
@@ -45,26 +45,6 @@ void toolbar(PanelContext& c) {
   ImGui::PopStyleVar(2);
 }
 
-void navigate(SceneOptions& o, const SceneCamera& camera, bool hovered, bool active) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (hovered && io.MouseWheel != 0) {
-    o.distance = std::clamp(o.distance * std::pow(0.87, io.MouseWheel), 1e-3, 1e6);
-    o.fitted = true;
-  }
-  if (!active) return;
-  const bool panning = ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || io.KeyShift;
-  if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
-  if (panning) {
-    const double k = o.distance * 0.9 / std::max(1.0f, camera.hi.y - camera.lo.y);
-    o.target += k * (-io.MouseDelta.x * camera.right + io.MouseDelta.y * camera.up);
-    o.follow = false;
-  } else if (ImGui::IsMouseDragging(0, 3)) {
-    o.yaw -= io.MouseDelta.x * 0.006;
-    o.pitch = std::clamp(o.pitch + io.MouseDelta.y * 0.006, -1.5707, 1.5707);
-  }
-  o.fitted = true;
-}
-
 // The map grows after the first look: fit again until the user moves the view.
 void fitWhileUntouched(PanelContext& c, double aspect) {
   SceneOptions& o = c.state.scene;
@@ -75,36 +55,6 @@ void fitWhileUntouched(PanelContext& c, double aspect) {
     fitScene(o, c.caches.scene.center(), c.caches.scene.radius(), aspect);
     o.fitted_points = points;
   }
-}
-
-void gizmo(const SceneCamera& camera) {
-  const float r = grid(6);
-  if (camera.hi.y - camera.lo.y < 5 * r) return;
-  const ImVec2 o{camera.lo.x + r + grid(2), camera.hi.y - r - grid(2)};
-  struct AxisInk {
-    Vec3 direction;
-    ImU32 color;
-    const char* name;
-  };
-  const AxisInk axes[] = {{Vec3::UnitX(), okabe::vermillion, "x"},
-                          {Vec3::UnitY(), okabe::green, "y"},
-                          {Vec3::UnitZ(), okabe::sky, "z"}};
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  for (const AxisInk& a : axes) {
-    const auto x = static_cast<float>(a.direction.dot(camera.right));
-    const auto y = static_cast<float>(-a.direction.dot(camera.up));
-    const ImVec2 e{o.x + x * r * 0.8f, o.y + y * r * 0.8f};
-    list->AddLine(o, e, a.color, dp(2));
-    outlinedText(list, {e.x + x * grid(1.5f) - grid(0.75f), e.y + y * grid(1.5f) - ImGui::GetFontSize() / 2},
-                 a.color, a.name);
-  }
-}
-
-void circleAt(const SceneCamera& camera, const Vec3& p, ImU32 color) {
-  const auto at = camera.project(p);
-  if (!at) return;
-  ImGui::GetWindowDrawList()->AddCircle(*at, dp(7), IM_COL32(0, 0, 0, 180), 20, dp(4));
-  ImGui::GetWindowDrawList()->AddCircle(*at, dp(7), color, 20, dp(2));
 }
 
 // The density along the ray: pieces as strong as the Gaussian of the inverse distance there.
@@ -199,13 +149,7 @@ void labels(PanelContext& c, const SceneCamera& camera) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const SceneContent& scene = c.caches.scene;
   ImVec2 at{camera.lo.x + grid(2), camera.lo.y + grid(1)};
-  const auto entry = [&](Swatch kind, ImU32 color, const std::string& text) {
-    const float width = ImGui::CalcTextSize(text.c_str()).x, line = ImGui::GetTextLineHeight() + grid(0.5f);
-    list->AddRectFilled({at.x - grid(1), at.y}, {at.x + grid(5) + width, at.y + line}, IM_COL32(0, 0, 0, 110));
-    drawSwatch(kind, {at.x + grid(1.5f), at.y + ImGui::GetTextLineHeight() / 2}, grid(1), color);
-    list->AddText({at.x + grid(4), at.y}, ink::text, text.c_str());
-    at.y += line;
-  };
+  const auto entry = [&](Swatch kind, ImU32 color, const std::string& text) { sceneLegend(at, kind, color, text); };
   const SceneOptions& o = c.state.scene;
   const ImVec2 room{camera.hi.x - camera.lo.x, camera.hi.y - camera.lo.y};
   if (room.y < ImGui::GetFontSize() * 16 || room.x < ImGui::GetFontSize() * 22) return;  // the map matters more
@@ -246,34 +190,22 @@ void drawScenePanel(PanelContext& c) {
   SceneContent& content = c.caches.scene;
   content.update({c.snapshot.get(), &c.caches.run.records(), &c.caches.truth.state(), &c.info,
                   &c.state.scene, c.caches.run.generation()});
-  const ImVec2 avail = ImGui::GetContentRegionAvail();
-  const ImVec2 room{std::max(avail.x, 4.0f), std::max(avail.y, 4.0f)};
-  const ImVec2 lo = ImGui::GetCursorScreenPos(), hi{lo.x + room.x, lo.y + room.y};
-  fitWhileUntouched(c, room.x / room.y);
-  ImGui::InvisibleButton("##scene", room,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                             ImGuiButtonFlags_MouseButtonMiddle);
-  Probe::record("scene:view", lo, hi);
-  const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
-  const ImVec2 drag = ImGui::GetMouseDragDelta(0, 0);
-  const bool clicked = ImGui::IsItemDeactivated() && hovered && std::hypot(drag.x, drag.y) < 4;
-  SceneCamera camera = makeSceneCamera(c.state.scene, lo, hi);
-  navigate(c.state.scene, camera, hovered, active);
-  camera = makeSceneCamera(c.state.scene, lo, hi);
+  fitWhileUntouched(c, sceneAspect());
+  const SceneArea area = sceneArea("scene:view", c.state.scene);
+  const SceneCamera& camera = area.camera;
   Scene3& scene = content.scene();
   scene.clip_from_world = camera.clip_from_world.cast<float>();
   scene.point_size_px = dp(c.state.scene.point_size);
   scene.line_width_px = dp(1.4f);
-  const ImTextureID texture =
-      c.graphics.scene(kSlot, scene, static_cast<int>(room.x), static_cast<int>(room.y));
-  ImGui::GetWindowDrawList()->PushClipRect(lo, hi, true);
-  ImGui::GetWindowDrawList()->AddImage(texture, lo, hi);
+  const ImTextureID texture = c.graphics.scene(kSlot, scene, area.width(), area.height());
+  ImGui::GetWindowDrawList()->PushClipRect(area.lo, area.hi, true);
+  ImGui::GetWindowDrawList()->AddImage(texture, area.lo, area.hi);
   drawMarkedSeeds(c, camera);
   drawSelected(c, camera);
-  gizmo(camera);
+  drawGizmo(camera);
   labels(c, camera);
   ImGui::GetWindowDrawList()->PopClipRect();
-  if (clicked) pickPoint(c, camera);
+  if (area.clicked) pickPoint(c, camera);
 }
 
 }  // namespace svoscope::ui

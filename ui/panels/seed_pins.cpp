@@ -8,6 +8,7 @@
 #include "ui/panels/seed_charts.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -28,13 +29,13 @@ void polyline(const Box& box, const std::vector<ImVec2>& unit, ImU32 color, bool
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (std::size_t i = 1; i < unit.size(); ++i) {
     if (dashed && i % 6 >= 4) continue;
-    list->AddLine(box.at(unit[i - 1].x, unit[i - 1].y), box.at(unit[i].x, unit[i].y), color, dp(1.5f));
+    pen::line(list, box.at(unit[i - 1].x, unit[i - 1].y), box.at(unit[i].x, unit[i].y), color, dp(1.5f));
   }
 }
 
 void densities(const Box& box, const SeedView& s, double truth) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(box.lo, box.hi, ink::canvas);
+  pen::rectFilled(list, box.lo, box.hi, ink::canvas);
   const double range = s.range > 0 ? s.range : 1;
   for (const Rule rule : kRules) {
     const BeliefView& b = rule == Rule::kl ? s.kl : s.js;
@@ -47,16 +48,16 @@ void densities(const Box& box, const SeedView& s, double truth) {
     }
     polyline(box, unit, ruleColor(rule), rule == Rule::kl);
   }
-  if (truth > 0 && truth < range) list->AddLine(box.at(truth / range, 0), box.at(truth / range, 1), ink::cursor, dp(1));
+  if (truth > 0 && truth < range) pen::line(list, box.at(truth / range, 0), box.at(truth / range, 1), ink::cursor, dp(1));
 }
 
 void convergence(const Box& box, const TraceColumns& t, double gate, std::size_t most) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(box.lo, box.hi, ink::canvas);
+  pen::rectFilled(list, box.lo, box.hi, ink::canvas);
   const auto height = [&](double ratio) {  // 3 decades: 0.001 .. 1
     return ratio > 0 ? static_cast<float>(std::clamp(1 + std::log10(ratio) / 3, 0.0, 1.0)) : 0;
   };
-  list->AddLine(box.at(0, height(gate)), box.at(1, height(gate)), withAlpha(ink::threshold, 0.8f), dp(1));
+  pen::line(list, box.at(0, height(gate)), box.at(1, height(gate)), withAlpha(ink::threshold, 0.8f), dp(1));
   for (const Rule rule : kRules) {
     const auto& sigma = t.rule[static_cast<int>(rule)].sigma_ratio;
     std::vector<ImVec2> unit;
@@ -81,10 +82,10 @@ void row(PanelContext& c, const SeedTrace& t, const FilterGates& gates, std::siz
   ImDrawList* list = ImGui::GetWindowDrawList();
   const bool selected = c.state.selection == Selection{Selection::Kind::seed, t.id};
   const std::string name = format("Seed %lld", static_cast<long long>(t.id));
-  list->AddText({at.x, at.y + grid(0.5f)}, selected ? ink::selected : ink::text, name.c_str());
+  pen::text(list, {at.x, at.y + grid(0.5f)}, selected ? ink::selected : ink::text, name.c_str());
   if (!t.last) return;
   const std::string status = format("%s, %d updates", seedStatusName(t.last->status), t.last->updates);
-  list->AddText({at.x, at.y + font + grid(0.5f)}, seedColor(*t.last), status.c_str());
+  pen::text(list, {at.x, at.y + font + grid(0.5f)}, seedColor(*t.last), status.c_str());
   const float x = at.x + text;
   densities({{x, at.y}, {x + width, at.y + height}}, *t.last, trueInverseDistance(c, *t.last));
   convergence({{x + width + gap, at.y}, {x + 2 * width + gap, at.y + height}}, traceColumns(t), gates.converged_fraction,

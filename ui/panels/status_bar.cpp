@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run_length.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
@@ -25,7 +26,7 @@ void gap() {
 }
 
 void stateParts(const PanelContext& c) {
-  if (!c.record) return part("Waiting for the first frame");
+  if (!c.record) return part(c.engineFrame() < 0 ? "Waiting for the first frame" : "This run has no such frame");
   legendEntry(stateColor(c.record->state), Swatch::dot, stateLabel(c.record->state));
   if (!c.record->reason.empty() && c.record->reason != stateName(c.record->state)) {
     gap();
@@ -53,10 +54,11 @@ std::string engineText(const PanelContext& c) {
 void drawStatusBar(PanelContext& c) {
   part(c.info.sequence.empty() ? "No sequence" : c.info.sequence, ink::text);
   gap();
-  legendEntry(methodColor(c.info.method), Swatch::line, methodName(c.info.method));
+  const RunStyle& run = c.runs.style(c.runs.current());
+  legendEntry(run.color, Swatch::line, run.label.c_str());
   gap();
-  part(c.latest ? format("frame %d (%d of %d)", c.viewedFrame(), c.viewedFrame() + 1, c.info.frames)
-                : format("%d frames", c.info.frames));
+  part(c.latest ? format("frame %d (%d of %d)", c.viewedFrame(), c.viewedFrame() + 1, frameCount(c))
+                : format("%d frames", frameCount(c)));
   gap();
   stateParts(c);
   const std::string right = engineText(c);

@@ -7,6 +7,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/plot_math.h"
 #include "ui/widgets/probe.h"
 
@@ -31,12 +32,12 @@ void barRow(Stage stage, double ms, double full, bool whole) {
   const float value = ImGui::GetFontSize() * 4;
   const float room = std::max(8.0f, ImGui::GetContentRegionAvail().x - name - value);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddText(at, whole ? ink::text : ink::dim, stageLabel(stage));
+  pen::text(list, at, whole ? ink::text : ink::dim, stageLabel(stage));
   const auto length = static_cast<float>(std::clamp(ms / std::max(full, 1e-6), 0.0, 1.0)) * room;
-  if (ms > 0) list->AddRectFilled({at.x + name, at.y + grid(0.5f)}, {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
+  if (ms > 0) pen::rectFilled(list, {at.x + name, at.y + grid(0.5f)}, {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
                       whole ? IM_COL32(104, 116, 132, 255) : stageColor(stage), dp(1));
   const std::string text = format("%.2f", ms);
-  list->AddText({at.x + name + room + value - ImGui::CalcTextSize(text.c_str()).x, at.y}, ink::text, text.c_str());
+  pen::text(list, {at.x + name + room + value - ImGui::CalcTextSize(text.c_str()).x, at.y}, ink::text, text.c_str());
   ImGui::Dummy({name + room + value, h});
 }
 
@@ -51,13 +52,14 @@ void budgetMark(ImVec2 from, float bottom, double full, double budget) {
 void frameBars(PanelContext& c, double budget) {
   const FrameRecord& r = *c.record;
   const double full = std::max({r.ms(Stage::tracking), r.ms(Stage::mapping), budget, 1e-3});
-  ImGui::Text("Frame %d", r.index);
+  const std::string frame = format("Frame %d", r.index);
+  ImGui::TextUnformatted(frame.c_str());
+  pen::itemText(ink::text, frame.c_str());
   ImGui::SameLine();
-  if (budget > 0) {
-    ImGui::TextDisabled("%.1f of %.1f ms at %.0f Hz", r.ms(Stage::tracking), budget, c.info.rate_hz);
-  } else {
-    ImGui::TextDisabled("%.1f ms", r.ms(Stage::tracking));
-  }
+  const std::string time = budget > 0 ? format("%.1f of %.1f ms at %.0f Hz", r.ms(Stage::tracking), budget, c.info.rate_hz)
+                                      : format("%.1f ms", r.ms(Stage::tracking));
+  ImGui::TextDisabled("%s", time.c_str());
+  pen::itemText(ink::dim, time.c_str());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   for (const Stage s : kParts) barRow(s, r.ms(s), full, false);
   barRow(Stage::tracking, r.ms(Stage::tracking), full, true);
@@ -100,13 +102,13 @@ void drawColumns(const Strip& s, int viewed) {
     for (const Stage stage : kParts) {
       const auto h = static_cast<float>(r->ms(stage) / s.full) * (s.hi.y - s.lo.y);
       const float top = std::max(s.lo.y, y - h);
-      if (h > 0.2f) list->AddRectFilled({x, top}, {x + width, y}, stageColor(stage));
+      if (h > 0.2f) pen::rectFilled(list, {x, top}, {x + width, y}, stageColor(stage));
       y = top;
     }
     const bool next_is_later = k + 1 == s.slowest.size() || !s.slowest[k + 1] || s.slowest[k + 1]->index > viewed;
     if (r->index <= viewed && next_is_later) {
       const float c = std::round(x + width / 2);
-      list->AddLine({c, s.lo.y}, {c, s.hi.y}, ink::cursor, dp(1));
+      pen::line(list, {c, s.lo.y}, {c, s.hi.y}, ink::cursor, dp(1));
     }
   }
 }
@@ -116,7 +118,7 @@ void stackedStrip(PanelContext& c, double budget) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 hi{lo.x + std::max(8.0f, room.x), lo.y + std::max(grid(12), room.y - grid(1))};
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(lo, hi, ink::canvas);
+  pen::rectFilled(list, lo, hi, ink::canvas);
   const bool clicked = ImGui::InvisibleButton("##strip", {hi.x - lo.x, hi.y - lo.y});
   Probe::record("timing:strip", lo, hi);
   const Strip s = makeStrip(c.caches.run.records(), lo, hi, budget);

@@ -3,6 +3,7 @@
 
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run_length.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -100,7 +101,7 @@ void position(PanelContext& c) {
   if (c.live()) {
     const std::string text =
         !c.latest ? std::string("Not started")
-        : c.info.frames > 0 ? format("Frame %d (%d of %d)", c.engineFrame(), c.engineFrame() + 1, c.info.frames)
+        : c.info.frames > 0 ? format("Frame %d (%d of %d)", c.engineFrame(), c.engineFrame() + 1, frameCount(c))
                             : format("Frame %d", c.engineFrame());
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     sameLineIfFits(width);
@@ -138,7 +139,7 @@ void drawTransportPanel(PanelContext& c) {
   TimelineSpec spec;
   spec.records = &c.caches.run.records();
   spec.events = &c.caches.run.events();
-  spec.frames = std::max(c.info.frames, c.engineFrame() + 1);
+  spec.frames = std::max(frameCount(c), c.engineFrame() + 1);
   spec.history_first = c.status.history_first;
   spec.viewed = c.viewedFrame();
   spec.engine = c.engineFrame();

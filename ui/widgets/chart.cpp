@@ -7,6 +7,7 @@
 #include "ui/palette.h"
 #include "ui/theme.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -27,7 +28,7 @@ std::string tickText(double t, double step, bool log) {
 float legendLines(const ChartSpec& spec, ImVec2 at, float width) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float font = ImGui::GetFontSize(), line = font + grid(0.5f);
-  list->AddText(at, ink::text, spec.title.c_str());
+  pen::text(list, at, ink::text, spec.title.c_str());
   float x = spec.title.empty() ? 0 : ImGui::CalcTextSize(spec.title.c_str()).x + grid(3), y = 0;
   for (const ChartLegend& entry : spec.legend) {
     const float w = legendWidth(entry.label.c_str());
@@ -36,7 +37,7 @@ float legendLines(const ChartSpec& spec, ImVec2 at, float width) {
       y += line;
     }
     drawSwatch(entry.swatch, {at.x + x + font * 0.36f, at.y + y + font / 2}, font * 0.28f, entry.color);
-    list->AddText({at.x + x + font, at.y + y}, ink::dim, entry.label.c_str());
+    pen::text(list, {at.x + x + font, at.y + y}, ink::dim, entry.label.c_str());
     x += w + grid(3);
   }
   return y + (spec.title.empty() && spec.legend.empty() ? 0 : line);
@@ -68,11 +69,11 @@ Chart::Chart(const ChartSpec& spec) : list_(ImGui::GetWindowDrawList()), start_(
   hovered_ = ImGui::IsItemHovered();
   const ImVec2 drag = ImGui::GetMouseDragDelta(0, 0);
   clicked_ = ImGui::IsItemDeactivated() && hovered_ && std::hypot(drag.x, drag.y) < 4;
-  list_->PushClipRect(lo_, hi_, true);
+  pen::pushClipRect(list_, lo_, hi_, true);
 }
 
 Chart::~Chart() {
-  if (drawable()) list_->PopClipRect();
+  if (drawable()) pen::popClipRect(list_);
   ImGui::SetCursorScreenPos(start_);
   ImGui::Dummy({std::max(1.0f, hi_.x - start_.x), std::max(1.0f, bottom_ - start_.y)});
   ImGui::EndGroup();
@@ -92,21 +93,21 @@ void Chart::layOut(const ChartSpec& spec) {
 
 void Chart::axes(const ChartSpec& spec) {
   const float font = ImGui::GetFontSize();
-  list_->AddRectFilled(lo_, hi_, ink::canvas);
+  pen::rectFilled(list_, lo_, hi_, ink::canvas);
   const int count = std::max(3, static_cast<int>((hi_.y - lo_.y) / (font * 1.8f)));
   const auto ticks = spec.log_y ? logTicks(y_.data, count) : linearTicks(y_.data, count);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : y_.data.span();
   for (const double t : ticks) {
     const float y = std::round(y_.toPixel(t));
     if (!spec.y_ticks || y < lo_.y - 1 || y > hi_.y + 1) continue;
-    list_->AddLine({lo_.x, y}, {hi_.x, y}, ink::grid);
+    pen::line(list_, {lo_.x, y}, {hi_.x, y}, ink::grid);
     const std::string text = tickText(t, step, spec.log_y);
     const float w = ImGui::CalcTextSize(text.c_str()).x;
     const float ty = std::clamp(y - font / 2, lo_.y - font * 0.2f, hi_.y - font * 0.8f);
-    list_->AddText({lo_.x - w - grid(1), std::round(ty)}, ink::dim, text.c_str());
+    pen::text(list_, {lo_.x - w - grid(1), std::round(ty)}, ink::dim, text.c_str());
   }
   if (!spec.y_label.empty()) {
-    list_->AddText({start_.x, std::round(lo_.y - font - grid(0.25f))}, ink::dim, spec.y_label.c_str());
+    pen::text(list_, {start_.x, std::round(lo_.y - font - grid(0.25f))}, ink::dim, spec.y_label.c_str());
   }
   xAxis(spec);
 }
@@ -120,25 +121,25 @@ void Chart::xAxis(const ChartSpec& spec) {
   for (const double t : ticks) {
     const float x = std::round(x_.toPixel(t));
     if (x < lo_.x - 1 || x > hi_.x + 1) continue;
-    list_->AddLine({x, lo_.y}, {x, hi_.y}, ink::grid);
+    pen::line(list_, {x, lo_.y}, {x, hi_.y}, ink::grid);
     const std::string text = tickText(t, step, spec.log_x);
     const float w = ImGui::CalcTextSize(text.c_str()).x;
     const float tx = std::clamp(x - w / 2, start_.x, hi_.x - w);
     if (tx < free_from) continue;
     free_from = tx + w + grid(1);
-    list_->AddText({std::round(tx), hi_.y + grid(0.5f)}, ink::dim, text.c_str());
+    pen::text(list_, {std::round(tx), hi_.y + grid(0.5f)}, ink::dim, text.c_str());
   }
   if (spec.x_label.empty()) return;
   const float w = ImGui::CalcTextSize(spec.x_label.c_str()).x;
   const float x = std::max(start_.x, std::round((lo_.x + hi_.x - w) / 2));
-  list_->AddText({x, std::round(hi_.y + font + grid(0.5f))}, ink::dim, spec.x_label.c_str());
+  pen::text(list_, {x, std::round(hi_.y + font + grid(0.5f))}, ink::dim, spec.x_label.c_str());
 }
 
 void Chart::line(const std::vector<float>& x, const std::vector<float>& y, const LineStyle& s) {
   if (!drawable() || x.size() != y.size()) return;
   for (auto& run : buildRuns(x.data(), y.data(), static_cast<int>(x.size()), x_, y_)) {
     for (ImVec2& p : run) p = bounded(p);
-    if (run.size() == 1) list_->AddCircleFilled(run[0], dp(s.width), s.color, 8);
+    if (run.size() == 1) pen::circleFilled(list_, run[0], dp(s.width), s.color, 8);
     dashedLine(list_, run, s.color, dp(s.width), dp(5), s.dashed ? dp(3.5f) : 0);
   }
 }
@@ -150,7 +151,7 @@ void Chart::band(const std::vector<float>& x, const std::vector<float>& lo, cons
   list_->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // neighbours must not fade at their common edge
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (!std::isfinite(x[i - 1] + x[i] + lo[i - 1] + lo[i] + hi[i - 1] + hi[i])) continue;
-    list_->AddQuadFilled(bounded(at(x[i - 1], hi[i - 1])), bounded(at(x[i], hi[i])), bounded(at(x[i], lo[i])),
+    pen::quadFilled(list_, bounded(at(x[i - 1], hi[i - 1])), bounded(at(x[i], hi[i])), bounded(at(x[i], lo[i])),
                          bounded(at(x[i - 1], lo[i - 1])), color);
   }
   list_->Flags = before;
@@ -165,17 +166,17 @@ void Chart::point(double x, double y, PointShape shape, float radius, ImU32 colo
   const ImVec2 p = bounded(at(x, y));
   const float r = dp(radius);
   switch (shape) {
-    case PointShape::circle: list_->AddCircleFilled(p, r, color, 10); break;
-    case PointShape::square: list_->AddRectFilled({p.x - r, p.y - r}, {p.x + r, p.y + r}, color); break;
+    case PointShape::circle: pen::circleFilled(list_, p, r, color, 10); break;
+    case PointShape::square: pen::rectFilled(list_, {p.x - r, p.y - r}, {p.x + r, p.y + r}, color); break;
     case PointShape::diamond:
-      list_->AddQuadFilled({p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}, {p.x - r, p.y}, color);
+      pen::quadFilled(list_, {p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}, {p.x - r, p.y}, color);
       break;
     case PointShape::triangle:
-      list_->AddTriangleFilled({p.x, p.y - r}, {p.x + r, p.y + r}, {p.x - r, p.y + r}, color);
+      pen::triangleFilled(list_, {p.x, p.y - r}, {p.x + r, p.y + r}, {p.x - r, p.y + r}, color);
       break;
     case PointShape::cross:
-      list_->AddLine({p.x - r, p.y - r}, {p.x + r, p.y + r}, color, dp(1.5f));
-      list_->AddLine({p.x - r, p.y + r}, {p.x + r, p.y - r}, color, dp(1.5f));
+      pen::line(list_, {p.x - r, p.y - r}, {p.x + r, p.y + r}, color, dp(1.5f));
+      pen::line(list_, {p.x - r, p.y + r}, {p.x + r, p.y - r}, color, dp(1.5f));
       break;
   }
 }
@@ -184,18 +185,18 @@ void Chart::errorBar(double x, double lo, double hi, ImU32 color) {
   if (!drawable() || !std::isfinite(x + lo + hi)) return;
   const ImVec2 a = bounded(at(x, lo)), b = bounded(at(x, hi));
   const float cap = dp(3);
-  list_->AddLine(a, b, color, dp(1.2f));
-  list_->AddLine({a.x - cap, a.y}, {a.x + cap, a.y}, color, dp(1.2f));
-  list_->AddLine({b.x - cap, b.y}, {b.x + cap, b.y}, color, dp(1.2f));
+  pen::line(list_, a, b, color, dp(1.2f));
+  pen::line(list_, {a.x - cap, a.y}, {a.x + cap, a.y}, color, dp(1.2f));
+  pen::line(list_, {b.x - cap, b.y}, {b.x + cap, b.y}, color, dp(1.2f));
 }
 
 void Chart::spanAt(double lo, double hi, float height, ImU32 color) {
   if (!drawable() || !std::isfinite(lo + hi)) return;
   const float y = hi_.y - height * (hi_.y - lo_.y), cap = dp(4);
   const float a = bounded({x_.toPixel(lo), y}).x, b = bounded({x_.toPixel(hi), y}).x;
-  list_->AddLine({a, y}, {b, y}, color, dp(2));
-  list_->AddLine({a, y - cap}, {a, y + cap}, color, dp(2));
-  list_->AddLine({b, y - cap}, {b, y + cap}, color, dp(2));
+  pen::line(list_, {a, y}, {b, y}, color, dp(2));
+  pen::line(list_, {a, y - cap}, {a, y + cap}, color, dp(2));
+  pen::line(list_, {b, y - cap}, {b, y + cap}, color, dp(2));
 }
 
 void Chart::markX(double value, const LineStyle& s, const std::string& label, int row) {
@@ -217,14 +218,14 @@ void Chart::markY(double value, const LineStyle& s, const std::string& label) {
   if (label.empty()) return;
   const float w = ImGui::CalcTextSize(label.c_str()).x, font = ImGui::GetFontSize();
   const ImVec2 p{hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1};
-  list_->AddRectFilled({p.x - grid(0.5f), p.y}, {hi_.x, p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
-  list_->AddText(p, s.color, label.c_str());
+  pen::rectFilled(list_, {p.x - grid(0.5f), p.y}, {hi_.x, p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
+  pen::text(list_, p, s.color, label.c_str());
 }
 
 void Chart::shadeX(double lo, double hi, ImU32 color) {
   if (!drawable() || !std::isfinite(lo + hi) || (x_.log && lo <= 0)) return;
   const float a = std::clamp(x_.toPixel(lo), lo_.x, hi_.x), b = std::clamp(x_.toPixel(hi), lo_.x, hi_.x);
-  if (b > a) list_->AddRectFilled({a, lo_.y}, {b, hi_.y}, color);
+  if (b > a) pen::rectFilled(list_, {a, lo_.y}, {b, hi_.y}, color);
 }
 
 std::optional<Chart::Box> Chart::dragged(bool& released) const {
@@ -247,8 +248,8 @@ std::optional<Chart::Box> Chart::dragged(bool& released) const {
 void Chart::box(const Box& b, ImU32 color) {
   if (!drawable()) return;
   const ImVec2 p = bounded(at(b.x_lo, b.y_hi)), q = bounded(at(b.x_hi, b.y_lo));
-  list_->AddRectFilled(p, q, withAlpha(color, 0.12f));
-  list_->AddRect(p, q, color, 0, 0, dp(1.3f));
+  pen::rectFilled(list_, p, q, withAlpha(color, 0.12f));
+  pen::rect(list_, p, q, color, 0, 0, dp(1.3f));
 }
 
 ChartGrid::ChartGrid(int charts, float least_width, float least_height, int most_columns) {

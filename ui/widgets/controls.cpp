@@ -10,6 +10,7 @@
 #include "ui/palette.h"
 #include "ui/theme.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -190,6 +191,7 @@ void valueRow(const char* name, const std::string& value, ImU32 color) {
   const float start = ImGui::GetCursorPosX();
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
   ImGui::TextUnformatted(name);
+  pen::itemText(ink::dim, name);
   ImGui::PopStyleColor();
   const float column = start + ImGui::GetFontSize() * 9.5f;
   const float value_x = std::max(column, start + ImGui::GetItemRectSize().x + grid(2));
@@ -202,24 +204,29 @@ void valueRow(const char* name, const std::string& value, ImU32 color) {
     room = ImGui::GetContentRegionAvail().x;
   }
   if (color) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-  ImGui::TextUnformatted(wrapped(value, room).c_str());
+  const std::string shown = wrapped(value, room);
+  ImGui::TextUnformatted(shown.c_str());
+  pen::itemText(color ? color : ink::text, shown.c_str());
   if (color) ImGui::PopStyleColor();
 }
 
 void heading(const char* text) {
   ImGui::Dummy({0, grid(0.5f)});
   ImGui::TextUnformatted(text);
+  pen::itemText(ink::text, text);
   const ImVec2 at = ImGui::GetItemRectMax();
   const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
   const float y = std::round((ImGui::GetItemRectMin().y + at.y) / 2);
   if (right > at.x + grid(2)) {
-    ImGui::GetWindowDrawList()->AddLine({at.x + grid(2), y}, {right, y}, ink::line);
+    pen::line(ImGui::GetWindowDrawList(), {at.x + grid(2), y}, {right, y}, ink::line);
   }
 }
 
 void note(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
-  ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
+  const std::string shown = wrapped(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(shown.c_str());
+  pen::itemText(ink::dim, shown.c_str());
   ImGui::PopStyleColor();
 }
 
@@ -271,6 +278,7 @@ void legendEntry(ImU32 color, Swatch kind, const char* text) {
   ImGui::SameLine(0, s * 0.2f);
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
   ImGui::TextUnformatted(text);
+  pen::itemText(ink::dim, text);
   ImGui::PopStyleColor();
   ImGui::EndGroup();
 }

@@ -65,7 +65,7 @@ std::string wrapped(const std::string& text, float width);
 /// A centred message for a panel that has nothing to show yet.
 void emptyState(const char* title, const std::string& what_to_do);
 
-enum class Swatch { square, line, dashed, cross, dot, ring };
+enum class Swatch { square, line, dashed, dotted, cross, dot, ring };
 /// Colour sample and text on the current line.
 void legendEntry(ImU32 color, Swatch kind, const char* text);
 float legendWidth(const char* text);

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "ui/theme.h"
+#include "ui/widgets/figure.h"
+#include "ui/widgets/pen.h"
 
 namespace svoscope::ui {
 
@@ -62,16 +64,19 @@ void drawSwatch(Swatch kind, ImVec2 c, float r, ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float t = dp(1.5f);
   switch (kind) {
-    case Swatch::square: return list->AddRect({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 0, 0, t);
-    case Swatch::line: return list->AddLine({c.x - r * 1.3f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
+    case Swatch::square: return pen::rect(list, {c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 0, 0, t);
+    case Swatch::line: return pen::line(list, {c.x - r * 1.3f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
     case Swatch::dashed:
-      list->AddLine({c.x - r * 1.3f, c.y}, {c.x - r * 0.2f, c.y}, color, dp(2));
-      return list->AddLine({c.x + r * 0.4f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
+      pen::line(list, {c.x - r * 1.3f, c.y}, {c.x - r * 0.2f, c.y}, color, dp(2));
+      return pen::line(list, {c.x + r * 0.4f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
+    case Swatch::dotted:
+      for (const float at : {-1.2f, -0.4f, 0.4f, 1.2f}) pen::circleFilled(list, {c.x + r * at, c.y}, dp(1.2f), color, 8);
+      return;
     case Swatch::cross:
-      list->AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, t);
-      return list->AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, t);
-    case Swatch::ring: return list->AddCircle(c, r * 0.85f, color, 12, t);
-    case Swatch::dot: return list->AddCircleFilled(c, r * 0.7f, color, 10);
+      pen::line(list, {c.x - r, c.y - r}, {c.x + r, c.y + r}, color, t);
+      return pen::line(list, {c.x - r, c.y + r}, {c.x + r, c.y - r}, color, t);
+    case Swatch::ring: return pen::circle(list, c, r * 0.85f, color, 12, t);
+    case Swatch::dot: return pen::circleFilled(list, c, r * 0.7f, color, 10);
   }
 }
 
@@ -79,8 +84,11 @@ void dashedLine(ImDrawList* list, const std::vector<ImVec2>& points, ImU32 color
                 float on, float off) {
   if (points.size() < 2) return;
   if (off <= 0) {
-    list->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, thickness);
+    pen::polyline(list, points.data(), static_cast<int>(points.size()), color, 0, thickness);
     return;
+  }
+  if (Figure* figure = Figure::active()) {
+    figure->polyline(points.data(), static_cast<int>(points.size()), color, thickness, false, on, off);
   }
   float phase = 0;
   const float period = on + off;
@@ -105,9 +113,9 @@ void dashedLine(ImDrawList* list, const std::vector<ImVec2>& points, ImU32 color
 
 void outlinedText(ImDrawList* list, ImVec2 at, ImU32 color, const char* text) {
   constexpr ImU32 shadow = IM_COL32(0, 0, 0, 210);
-  list->AddText({at.x + 1, at.y + 1}, shadow, text);
-  list->AddText({at.x - 1, at.y}, shadow, text);
-  list->AddText(at, color, text);
+  pen::text(list, {at.x + 1, at.y + 1}, shadow, text);
+  pen::text(list, {at.x - 1, at.y}, shadow, text);
+  pen::text(list, at, color, text);
 }
 
 }  // namespace svoscope::ui

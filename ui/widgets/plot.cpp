@@ -9,11 +9,14 @@
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
 
 namespace {
+
+Swatch swatchOf(const PlotSeries& s) { return s.dotted ? Swatch::dotted : s.dashed ? Swatch::dashed : Swatch::line; }
 
 struct Frame {
   ImDrawList* list = nullptr;
@@ -70,30 +73,30 @@ std::vector<double> yTicks(const Frame& f) {
 }
 
 void drawAxes(const Frame& f, const PlotSpec& spec) {
-  f.list->AddRectFilled(f.lo, f.hi, ink::canvas);
+  pen::rectFilled(f.list, f.lo, f.hi, ink::canvas);
   const auto ticks = yTicks(f);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
   const float half = ImGui::GetFontSize() / 2;
   for (const double t : ticks) {
     const float y = std::round(f.y.toPixel(t));
     if (y < f.lo.y || y > f.hi.y) continue;
-    f.list->AddLine({f.lo.x, y}, {f.hi.x, y}, ink::grid);
+    pen::line(f.list, {f.lo.x, y}, {f.hi.x, y}, ink::grid);
     const std::string text = f.y.log && t > 0 && (t < 1e-2 || t >= 1e4) ? format("%.0e", t)
                                                      : tickLabel(t, f.y.log ? t : step);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float ty = std::clamp(y - half, f.lo.y - half * 0.4f, f.hi.y - half * 1.6f);
-    f.list->AddText({f.lo.x - width - grid(1), std::round(ty)}, ink::dim, text.c_str());
+    pen::text(f.list, {f.lo.x - width - grid(1), std::round(ty)}, ink::dim, text.c_str());
   }
   const int count = std::max(2, static_cast<int>((f.hi.x - f.lo.x) / (ImGui::GetFontSize() * 5)));
   const double x_step = std::max(1.0, niceStep(f.x.data.span(), count));
   for (double t = std::ceil(f.x.data.lo / x_step) * x_step; t <= f.x.data.hi; t += x_step) {
     const float x = std::round(f.x.toPixel(t));
-    f.list->AddLine({x, f.lo.y}, {x, f.hi.y}, ink::grid);
+    pen::line(f.list, {x, f.lo.y}, {x, f.hi.y}, ink::grid);
     if (!spec.show_x_labels) continue;
     const std::string text = tickLabel(t, x_step);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float tx = std::clamp(x - width / 2, f.lo.x - grid(2), f.hi.x - width);
-    f.list->AddText({std::round(tx), f.hi.y + grid(0.5f)}, ink::dim, text.c_str());
+    pen::text(f.list, {std::round(tx), f.hi.y + grid(0.5f)}, ink::dim, text.c_str());
   }
 }
 
@@ -108,7 +111,7 @@ void drawBand(const Frame& f, const PlotSeries& s) {
     if (!std::isfinite(a0 + a1 + b0 + b1)) continue;
     const float x0 = f.x.toPixel((*s.x)[i - 1]), x1 = f.x.toPixel((*s.x)[i]);
     if (x1 < f.lo.x || x0 > f.hi.x) continue;
-    f.list->AddQuadFilled({x0, f.y.toPixel(b0)}, {x1, f.y.toPixel(b1)}, {x1, f.y.toPixel(a1)},
+    pen::quadFilled(f.list, {x0, f.y.toPixel(b0)}, {x1, f.y.toPixel(b1)}, {x1, f.y.toPixel(a1)},
                           {x0, f.y.toPixel(a0)}, withAlpha(s.color, 0.22f));
   }
   f.list->Flags = before;
@@ -120,8 +123,8 @@ void drawSeries(const Frame& f, const PlotSpec& spec, const PlotState& state) {
     drawBand(f, s);
     const int n = static_cast<int>(s.x->size());
     for (const auto& run : buildRuns(s.x->data(), s.y->data(), n, f.x, f.y)) {
-      if (run.size() == 1) f.list->AddCircleFilled(run[0], dp(2), s.color, 8);
-      dashedLine(f.list, run, s.color, dp(1.5f), dp(5), s.dashed ? dp(3) : 0);
+      if (run.size() == 1) pen::circleFilled(f.list, run[0], dp(2), s.color, 8);
+      dashedLine(f.list, run, s.color, dp(1.5f), dp(s.dotted ? 1.5f : 5), s.dotted || s.dashed ? dp(3) : 0);
     }
   }
 }
@@ -131,7 +134,10 @@ void drawMarks(const Frame& f, const PlotSpec& spec) {
   for (const PlotMark& m : *spec.marks) {
     const float x = f.x.toPixel(m.x);
     if (x < f.lo.x || x > f.hi.x) continue;
-    f.list->AddLine({x, f.hi.y - grid(1.5f)}, {x, f.hi.y}, m.color, dp(1.5f));
+    pen::line(f.list, {x, f.hi.y - grid(1.5f)}, {x, f.hi.y}, m.color, dp(1.5f));
+    if (m.cross < 0) continue;
+    pen::line(f.list, {x, f.lo.y}, {x, f.hi.y}, withAlpha(m.color, 0.35f), dp(1));
+    drawSwatch(Swatch::cross, {x, f.lo.y + grid(1.5f + 2.5f * static_cast<float>(m.cross))}, grid(1), m.color);
   }
 }
 
@@ -143,9 +149,9 @@ void drawLevels(const Frame& f, const PlotSpec& spec) {
     const float width = ImGui::CalcTextSize(level.label.c_str()).x;
     const float ty = y - ImGui::GetFontSize() - 1 < f.lo.y ? y + 1 : y - ImGui::GetFontSize() - 1;
     const ImVec2 at{f.lo.x + grid(1), ty};
-    f.list->AddRectFilled({at.x - grid(0.5f), ty}, {at.x + width + grid(0.5f), ty + ImGui::GetFontSize()},
+    pen::rectFilled(f.list, {at.x - grid(0.5f), ty}, {at.x + width + grid(0.5f), ty + ImGui::GetFontSize()},
                           withAlpha(ink::canvas, 0.8f));
-    f.list->AddText(at, level.color, level.label.c_str());
+    pen::text(f.list, at, level.color, level.label.c_str());
   }
 }
 
@@ -160,14 +166,14 @@ void hoverReadOut(const Frame& f, const PlotSpec& spec, const PlotState& state) 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const double x = std::round(f.x.toData(mouse.x));
   const float px = f.x.toPixel(x);
-  f.list->AddLine({px, f.lo.y}, {px, f.hi.y}, withAlpha(ink::cursor, 0.35f));
+  pen::line(f.list, {px, f.lo.y}, {px, f.hi.y}, withAlpha(ink::cursor, 0.35f));
   ImGui::BeginTooltip();
   ImGui::Text("Frame %.0f", x);
   for (const PlotSeries& s : spec.series) {
     bool found = false;
     const float v = visible(s, state) ? sampleAt(s, x, found) : 0;
     if (!found) continue;
-    legendEntry(s.color, s.dashed ? Swatch::dashed : Swatch::line, s.label.c_str());
+    legendEntry(s.color, swatchOf(s), s.label.c_str());
     ImGui::SameLine(ImGui::GetFontSize() * 10);
     if (std::isfinite(v)) ImGui::Text("%.4g", v);
     else ImGui::TextUnformatted("–");
@@ -219,12 +225,13 @@ void contextMenu(PlotState& state, LinkedX& linked, PlotResult& result) {
 void legend(const PlotSpec& spec, PlotState& state) {
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
   ImGui::TextUnformatted(spec.y_label.c_str());
+  pen::itemText(ink::dim, spec.y_label.c_str());
   ImGui::PopStyleColor();
   for (const PlotSeries& s : spec.series) {
     if (s.label.empty()) continue;
     sameLineIfFits(legendWidth(s.label.c_str()) + grid(2));
     const bool hidden = state.hidden.count(s.label) > 0;
-    legendEntry(hidden ? ink::faint : s.color, s.dashed ? Swatch::dashed : Swatch::line,
+    legendEntry(hidden ? ink::faint : s.color, swatchOf(s),
                 s.label.c_str());
     Probe::record(std::string(spec.id) + ":" + s.label, ImGui::GetItemRectMin(),
                   ImGui::GetItemRectMax());
@@ -270,16 +277,16 @@ PlotResult plot(const PlotSpec& spec, PlotState& state, LinkedX& linked) {
   ImGui::SetCursorScreenPos(f.lo);
   ImGui::InvisibleButton("##area", {f.hi.x - f.lo.x, f.hi.y - f.lo.y});
   Probe::record(spec.id, f.lo, f.hi);
-  f.list->PushClipRect(f.lo, f.hi, true);
+  pen::pushClipRect(f.list, f.lo, f.hi, true);
   drawSeries(f, spec, state);
   drawLevels(f, spec);
   drawMarks(f, spec);
   if (spec.cursor >= 0) {
     const float x = std::round(f.x.toPixel(spec.cursor));
-    f.list->AddLine({x, f.lo.y}, {x, f.hi.y}, withAlpha(ink::cursor, 0.8f), dp(1));
+    pen::line(f.list, {x, f.lo.y}, {x, f.hi.y}, withAlpha(ink::cursor, 0.8f), dp(1));
   }
   if (ImGui::IsItemHovered()) hoverReadOut(f, spec, state);
-  f.list->PopClipRect();
+  pen::popClipRect(f.list);
   zoomAndPan(f, state, linked);
   const ImVec2 drag = ImGui::GetMouseDragDelta(0, 0);
   if (ImGui::IsItemDeactivated() && std::hypot(drag.x, drag.y) < 4) {

@@ -18,12 +18,14 @@ struct PlotSeries {
   bool dashed = false;
   const std::vector<float>* band_lo = nullptr;  ///< optional shaded band
   const std::vector<float>* band_hi = nullptr;
+  bool dotted = false;  ///< finer than dashed
 };
 
 struct PlotMark {
   float x = 0;
   ImU32 color = 0;
   std::string text;
+  int cross = -1;  ///< row from the top of a cross on a line through the plot: a loss; -1: none
 };
 
 struct PlotLevel {

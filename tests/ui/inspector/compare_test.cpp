@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// Several runs open at once: one transport for all, one current run, the Compare panels.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+#include <utility>
+
+#include "engine/runner/lockstep_runner.h"
+#include "engine/runner/trajectory_runner.h"
+#include "tests/support/fake_runner.h"
+#include "tests/support/support.h"
+#include "tests/ui/render/render_fixture.h"
+#include "ui/harness/executor.h"
+#include "ui/harness/inspector_target.h"
+#include "ui/inspector.h"
+#include "ui/palette.h"
+
+namespace svoscope::ui {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+FakeOptions fake(const std::string& method, int start, double bend) {
+  FakeOptions options;
+  options.method = method;
+  options.start = start;
+  options.bend = bend;
+  options.frames = 120;
+  options.width = 320;
+  options.height = 240;
+  options.landmarks = 200;
+  options.seeds = 60;
+  options.lost_from = 60;
+  options.lost_to = 64;
+  return options;
+}
+
+class Compare : public testing::TestWithParam<SurfaceKind> {
+ protected:
+  void SetUp() override {
+    host = openHost(GetParam(), 1280, 720);
+    if (!host) GTEST_SKIP() << "OSMesa is absent: install libosmesa6";
+  }
+
+  void open(bool truth = true) {
+    add("svo", fake("svo", 12, 4e-5), truth);
+    add("pl-svo", fake("pl-svo", 5, 2e-5), truth);
+    FakeOptions never = fake("it-svo", 1000, 0);
+    never.lost_to = 0;
+    add("it-svo", never, truth);
+    members.push_back(trajectory());
+    runs = std::make_unique<LockstepRunner>(std::move(members), LockstepRunner::Drive::by_pump);
+    inspector = std::make_unique<Inspector>(*runs, host->graphics());
+  }
+
+  void add(const std::string& label, FakeOptions options, bool truth) {
+    options.ground_truth = truth;
+    members.push_back({std::make_unique<FakeRunner>(options), label, false});
+  }
+
+  /// Poses of frames 20 to 79 on the ground truth itself.
+  LockstepMember trajectory() {
+    const RunInfo of_run = FakeRunner(fake("svo", 5, 0)).info();
+    TrajectoryFile file;
+    FrameTimes frames;
+    for (int i = 0; i < 120; ++i) {
+      const StampedPose& pose = of_run.ground_truth[static_cast<std::size_t>(i)];
+      frames.timestamps.push_back(pose.timestamp);
+      if (i >= 20 && i < 80) file.poses.push_back(pose);
+    }
+    RunInfo info = members.front().runner->info();
+    info.method = "orb";
+    return {TrajectoryRunner::make(file, frames, info, "orb.txt").value(), "orb", true};
+  }
+
+  std::string run(const std::string& text) {
+    const Result<Script> script = parseScript(text, "test.script");
+    if (!script) return script.error().message();
+    InspectorTarget target(*runs, inspector->state());
+    const auto result =
+        runScript(script.value(), {*host, *inspector, target, runs.get(), folder.path()});
+    return result ? "" : result.error().message();
+  }
+
+  std::string written(const std::string& name) {
+    std::ifstream in(folder.path() / name);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+
+  test::TemporaryFolder folder;
+  std::vector<LockstepMember> members;
+  std::unique_ptr<Host> host;
+  std::unique_ptr<LockstepRunner> runs;
+  std::unique_ptr<Inspector> inspector;
+};
+
+TEST_P(Compare, OneTransportMovesAllRuns) {
+  open();
+  EXPECT_EQ(
+      run("step 3\nexpect frame@svo == 2\nexpect frame@it-svo == 2\n"
+          "run-to start\nexpect frame@svo == 12\nexpect frame@pl-svo == 12\n"
+          "run-to keyframe\nexpect frame == 21\nexpect frame@pl-svo == 21\n"
+          "back 4\nexpect frame@svo == 17\nexpect frame@pl-svo == 17\nkey left\nexpect "
+          "frame@it-svo == 16\n"
+          "goto live\nexpect frame@svo == 21\nrun-to lost\nexpect frame@pl-svo == 60\n"
+          "reset\nexpect next_frame == 0\nstep\nexpect frame@svo == 0\nexpect frame@it-svo == 0\n"),
+      "");
+}
+
+TEST_P(Compare, TheCurrentRunIsChosenByKeyTabAndScript) {
+  open();
+  EXPECT_EQ(
+      run("run-to 30\nexpect run == svo\nkey r\nexpect run == pl-svo\nexpect method == pl-svo\n"
+          "key r\nexpect run == it-svo\nexpect state == initializing\n"
+          "key r\nexpect run == svo\n"  // the trajectory is passed over
+          "click run:pl-svo\nexpect run == pl-svo\n"
+          "click run:orb\nexpect run == pl-svo\n"
+          "run 0\nexpect run == svo\nexpect runs has orb\n"),
+      "");
+  EXPECT_THAT(run("run orb\n"), HasSubstr("poses only"));
+  EXPECT_THAT(run("run dso\n"), HasSubstr("no run is called 'dso'"));
+}
+
+TEST_P(Compare, EachRunKeepsItsSelection) {
+  open();
+  ASSERT_EQ(run("run-to 40\nselect seed any\n"), "");
+  const Selection first = inspector->state().selection;
+  EXPECT_EQ(run("run pl-svo\nexpect selected.kind == none\nselect feature any\nexpect "
+                "selected.kind != none\n"
+                "run svo\nexpect selected.kind == seed\n"),
+            "");
+  EXPECT_EQ(inspector->state().selection, first);
+}
+
+TEST_P(Compare, MetricsAreThoseOfEachRun) {
+  open();
+  ASSERT_EQ(run("run-to 119\nlayout Compare\nwait 3\n"), "");
+  const auto& compared = inspector->compare().runs();
+  ASSERT_EQ(compared.size(), 4u);
+  EXPECT_EQ(*compared[0].metrics.init_frame, 12);
+  EXPECT_EQ(*compared[1].metrics.init_frame, 5);
+  EXPECT_FALSE(compared[2].metrics.init_frame) << "it never starts";
+  EXPECT_FALSE(compared[2].aligned);
+  EXPECT_EQ(*compared[3].metrics.init_frame, 20);
+  EXPECT_EQ(compared[0].losses.size(), 1u);
+  EXPECT_EQ(compared[2].losses.size(), 0u);
+  EXPECT_GT(compared[0].truth.ate_rmse, compared[1].truth.ate_rmse);
+  EXPECT_LT(compared[3].truth.ate_rmse, 1e-9) << "it is the ground truth";
+  EXPECT_EQ(run("expect start_frame@svo == 12\nexpect losses@svo == 1\nexpect ate@orb < 1e-6\n"
+                "expect tracked_fraction@svo < 1\nexpect tracked_fraction@it-svo == 0\n"),
+            "");
+}
+
+TEST_P(Compare, PathsLieInOneFrameOfReference) {
+  open();
+  ASSERT_EQ(run("run-to 119\nlayout Compare\nwait 3\n"), "");
+  const CompareData& data = inspector->compare();
+  EXPECT_TRUE(data.metric());
+  const ComparedRun &svo = data.runs()[0], &orb = data.runs()[3];
+  for (const int row : {30, 50, 70}) {
+    const auto i = static_cast<std::size_t>(row);
+    EXPECT_NEAR((svo.path[i] - orb.path[i]).norm(), svo.error[i], 1e-3)
+        << "orb is the ground truth";
+    EXPECT_NEAR(orb.difference[i], (svo.path[i] - orb.path[i]).norm(), 1e-5);
+  }
+  EXPECT_TRUE(std::isnan(orb.difference[10])) << "the trajectory begins later";
+  EXPECT_TRUE(std::isnan(svo.difference[50])) << "the current run is compared with itself";
+}
+
+TEST_P(Compare, WithoutGroundTruthRunsAreAlignedToTheCurrentOne) {
+  open(false);
+  ASSERT_EQ(run("run-to 119\nlayout Compare\nwait 3\nrun pl-svo\nwait 2\n"), "");
+  const CompareData& data = inspector->compare();
+  EXPECT_FALSE(data.metric());
+  EXPECT_TRUE(data.runs()[1].aligned);
+  ASSERT_TRUE(data.runs()[0].aligned);
+  EXPECT_LT(data.runs()[0].difference[100], 0.2f);
+  EXPECT_GT(data.runs()[0].difference[100], 0);
+  EXPECT_TRUE(data.runs()[3].aligned) << "in another frame and scale";
+  EXPECT_LT(data.runs()[3].difference[50], 0.2f);
+}
+
+TEST_P(Compare, PanelsExportNumbersAndCharts) {
+  open();
+  ASSERT_EQ(run("run-to 70\nlayout Compare\nwait 3\n"
+                "export Compare plots plots.csv\nexport Compare plots plots.svg\n"
+                "export Compare metrics metrics.csv\nexport Compare 3-D paths.csv\n"),
+            "");
+  EXPECT_THAT(written("plots.csv"),
+              HasSubstr("frame,svo error_m,svo difference_m,svo inliers,svo tracking_ms,pl-svo"));
+  EXPECT_THAT(written("plots.csv"), HasSubstr("\n70,"));
+  EXPECT_THAT(written("plots.svg"), HasSubstr("Position error, m</text>"));
+  EXPECT_THAT(written("plots.svg"), HasSubstr("PL-SVO</text>"));
+  EXPECT_THAT(written("plots.svg"), Not(HasSubstr("nan")));
+  EXPECT_THAT(written("metrics.csv"), HasSubstr("Start frame,12,5,,20\n"));
+  EXPECT_THAT(written("paths.csv"), HasSubstr("\n30,pl-svo,"));
+}
+
+TEST_P(Compare, EveryPanelWithChartsExports) {
+  open();
+  ASSERT_EQ(run("run-to 50\nset lab.wait on\nset lab.seeds 200\nset lab.section 2\nselect seed "
+                "any\nwait 3\n"),
+            "");
+  for (const std::string panel :
+       {"Plots", "Timing", "Seed", "KL / JS", "Evaluation", "Filter lab", "Compare plots"}) {
+    EXPECT_EQ(run("panel \"" + panel + "\"\nwait 2\nexport \"" + panel + "\" a.csv\nexport \"" +
+                  panel + "\" a.svg\n"),
+              "")
+        << panel;
+    EXPECT_THAT(written("a.csv"), HasSubstr(",")) << panel;
+    EXPECT_THAT(written("a.svg"), HasSubstr("<polyline")) << panel;
+  }
+}
+
+TEST_P(Compare, ImageMapAndFunnelExportTheirNumbers) {
+  open();
+  ASSERT_EQ(run("run-to 30\nexport Image i.csv\nexport 3-D p.csv\nexport Funnel f.csv\n"), "");
+  EXPECT_THAT(written("i.csv"), HasSubstr(",Corner,Landmark,Inlier,"));
+  EXPECT_THAT(written("p.csv"), HasSubstr(",Segment,"));
+  EXPECT_THAT(written("f.csv"), HasSubstr("\n30,"));
+}
+
+TEST_P(Compare, WhatCannotBeExportedIsSaid) {
+  open();
+  ASSERT_EQ(run("run-to 30\nlayout Compare\n"), "");
+  EXPECT_THAT(run("export Log log.csv\n"), HasSubstr("has no numbers"));
+  EXPECT_THAT(run("export Image image.svg\n"), HasSubstr("has no charts"));
+  EXPECT_THAT(run("export Timing timing.svg\n"), HasSubstr("not on screen"));
+  EXPECT_THAT(run("export Plot plot.csv\n"), HasSubstr("no panel is called"));
+  EXPECT_THAT(run("export Plots plots.pdf\n"), HasSubstr(".csv, .svg or .png"));
+}
+
+TEST_P(Compare, EveryLayoutDrawsAtSeveralSizesAndScales) {
+  open();
+  EXPECT_EQ(
+      run("layout Compare\nwait 2\nrun-to 66\nwait 2\nscale 1.5\nwait 2\nsize 640x400\nwait 2\n"
+          "size 80x80\nwait 2\nsize 1280x720\nscale 1\npanel Compare images\nwait 2\nclick "
+          "image:pl-svo\n"
+          "expect run == pl-svo\n"),
+      "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, Compare, testing::Values(SurfaceKind::null, SurfaceKind::osmesa),
+                         [](const auto& test) {
+                           return test.param == SurfaceKind::null ? "null" : "osmesa";
+                         });
+
+TEST(CompareAlone, OneRunSaysHowToOpenMore) {
+  const auto host = openHost(SurfaceKind::null, 1280, 720);
+  FakeRunner runner;
+  Inspector inspector(runner, host->graphics());
+  InspectorTarget target(runner, inspector.state());
+  const auto script =
+      parseScript("step\nlayout Compare\nkey r\nexpect run == it-svo\n", "test.script");
+  test::TemporaryFolder folder;
+  const auto result = runScript(script.value(), {*host, inspector, target, &runner, folder.path()});
+  EXPECT_TRUE(result.ok()) << result.error().message();
+  EXPECT_TRUE(inspector.compare().runs().empty());
+}
+
+// The colours of the methods are on screen where their names are: a picture that lost a run
+// differs.
+TEST(CompareAlone, ThePictureHasTheColourOfEveryRun) {
+  const auto host = openHost(SurfaceKind::osmesa, 1000, 700);
+  if (!host) GTEST_SKIP() << "OSMesa is absent: install libosmesa6";
+  std::vector<LockstepMember> members;
+  const std::pair<const char*, double> bends[] = {{"svo", 1e-4}, {"pl-svo", -1e-4}, {"it-svo", 0}};
+  for (const auto& [method, bend] : bends) {
+    members.push_back({std::make_unique<FakeRunner>(fake(method, 5, bend)), method, false});
+  }
+  LockstepRunner runs(std::move(members), LockstepRunner::Drive::by_pump);
+  Inspector inspector(runs, host->graphics());
+  InspectorTarget target(runs, inspector.state());
+  test::TemporaryFolder folder;
+  const auto script = parseScript(
+      "run-to 80\npanel Compare 3-D\nset image.seeds off\nwait 2\nshot a.png Compare 3-D\n", "t");
+  const auto result = runScript(script.value(), {*host, inspector, target, &runs, folder.path()});
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  const cv::Mat picture = cv::imread((folder.path() / "a.png").string());
+  ASSERT_FALSE(picture.empty());
+  for (const char* method : {"svo", "pl-svo", "it-svo"}) {
+    const ImVec4 c = toVec4(methodColor(method));
+    int pixels = 0;
+    for (int y = 0; y < picture.rows; ++y) {
+      for (int x = 0; x < picture.cols; ++x) {
+        const auto& p = picture.at<cv::Vec3b>(y, x);
+        pixels += std::abs(p[2] - 255 * c.x) < 24 && std::abs(p[1] - 255 * c.y) < 24 &&
+                  std::abs(p[0] - 255 * c.z) < 24;
+      }
+    }
+    EXPECT_GT(pixels, 60) << method;
+  }
+}
+
+}  // namespace
+}  // namespace svoscope::ui
