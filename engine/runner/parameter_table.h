@@ -29,7 +29,7 @@ void visitTracking(P& p, F&& f) {
   f(ParameterInfo{"reproject.local_keyframes", "", "nearest overlapping keyframes searched", 1, 50}, t.reproject.local_keyframes);
   f(ParameterInfo{"reproject.max_view_angle_deg", "deg", "between reference and current view of a landmark", 5, 89}, t.reproject.max_view_angle_deg);
   f(ParameterInfo{"reproject.max_shift_px", "px", "alignment may move from the prediction, search level", 1, 100}, t.reproject.max_shift_px);
-  f(ParameterInfo{"reproject.max_failures", "", "failed alignments before a landmark is deleted", 1, 1000}, t.reproject.max_failures);
+  f(ParameterInfo{"reproject.max_failures", "", "frames without it as an inlier before a landmark is deleted", 1, 1000}, t.reproject.max_failures);
   f(ParameterInfo{"reproject.unconverged_seeds", "", "track seeds before they converge", 0, 1}, t.reproject.unconverged_seeds);
   f(ParameterInfo{"reproject.max_tries", "", "alignments per frame at most", 20, 5000}, t.reproject.max_tries);
   f(ParameterInfo{"pose.max_iterations", "", "Gauss-Newton steps of pose refinement", 1, 100}, t.pose.max_iterations);
@@ -134,7 +134,7 @@ void visitSegments(P& p, F&& f) {
   f(ParameterInfo{"segments.pose_sigma", "", "noise of a segment relative to a corner in the pose", 0.1, 50}, s.pose_sigma);
   f(ParameterInfo{"segments.min_scale", "", "floor of the robust scale over line_noise_px", 0.01, 10}, s.min_scale);
   f(ParameterInfo{"segments.max_error_px", "px", "distance of an end point from its line, inlier", 0.1, 50}, s.max_error_px);
-  f(ParameterInfo{"segments.max_failures", "", "failed alignments before a segment is deleted", 1, 1000}, s.max_failures);
+  f(ParameterInfo{"segments.max_failures", "", "frames without it as an inlier before a segment is deleted", 1, 1000}, s.max_failures);
 }
 
 template <typename P, typename F>
