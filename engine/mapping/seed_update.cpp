@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/mapping/seed_update.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/stopwatch.h"
@@ -113,8 +114,10 @@ void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterPar
   }
 }
 
-MappingResult runMappingJob(const MappingJob& job, const MappingParameters& p) {
+MappingResult runMappingJob(const MappingJob& job, const MappingParameters& parameters) {
   Stopwatch watch;
+  MappingParameters p = parameters;
+  p.search.pixel_noise = std::max(p.search.pixel_noise, job.noise_px);
   MappingResult result;
   result.frame_index = job.frame_index;
   result.keyframe_id = job.new_seeds.keyframe_id;

@@ -53,6 +53,7 @@ struct MappingJob {
   PyramidPtr pyramid;
   SE3 T_cam_world;
   Pinhole camera;
+  double noise_px = 0;            ///< of the frame's features; a match is at least that uncertain
   std::vector<JobKeyframe> keyframes;
   std::vector<JobSeed> seeds;
   NewSeedRequest new_seeds;

@@ -25,6 +25,7 @@ struct Frame {
   double timestamp = 0;
   PyramidPtr pyramid;
   SE3 T_cam_world;
+  double noise_px = 0;               ///< robust scale of its features' errors: blur and rolling shutter raise it
   std::vector<TrackedFeature> features;
   std::vector<TrackedSegment> segments;
 };

@@ -8,6 +8,8 @@
 
 namespace svoscope {
 
+inline double& stageMs(FrameRecord& record, Stage s) { return record.time_ms[static_cast<std::size_t>(s)]; }
+
 struct Tracker::Attempt {
   const char* from = "";
   SparseAlignmentResult aligned;

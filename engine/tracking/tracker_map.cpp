@@ -93,7 +93,7 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
       const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
       m.x = triangulateInverseDistance(map_.camera, T_cur_ref, seed->anchor.f, feature->anchor.px);
       m.tau = inverseDistanceSigma(T_cur_ref, seed->anchor.f, m.x,
-                                   parameters_.mapping.search.pixel_noise, map_.camera.focal());
+                                   std::max(parameters_.mapping.search.pixel_noise, frame_.noise_px), map_.camera.focal());
       if (feature->status != FeatureStatus::inlier || !(m.x > 0)) m.outcome = SearchOutcome::no_match;
     }
     const double fused = fusedInverseDistance(seed->belief, m.x, m.tau);
@@ -243,6 +243,7 @@ void Tracker::requestMeasurements() {
   job_->pyramid = frame_.pyramid;
   job_->T_cam_world = frame_.T_cam_world;
   job_->camera = map_.camera;
+  job_->noise_px = frame_.noise_px;
   requestSegmentMeasurements();
   for (const int id : local_keyframes_) {
     const Keyframe* keyframe = map_.findKeyframe(id);
