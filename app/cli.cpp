@@ -81,6 +81,7 @@ int runCommandLine(std::vector<std::string> arguments) {
   addEvalCommand(app, action);
   addSynthCommand(app, action);
   addLabCommand(app, action);
+  addStressCommand(app, action);
 
   static const std::vector<std::string> kOwnOptions = {"-h", "--help", "--version"};
   if (arguments.empty()) {

@@ -27,6 +27,7 @@ void addShotCommand(CLI::App& app, Action& action);
 void addEvalCommand(CLI::App& app, Action& action);
 void addSynthCommand(CLI::App& app, Action& action);
 void addLabCommand(CLI::App& app, Action& action);
+void addStressCommand(CLI::App& app, Action& action);
 
 /// Prints "svoscope: error: ..." to stderr; returns the exit code of the error.
 int reportError(const Error& error);
