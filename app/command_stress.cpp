@@ -125,7 +125,11 @@ void addStressCommand(CLI::App& app, Action& action) {
   command->add_option("--height", arguments->size.height, "Height of the images, px")
       ->check(CLI::Range(48, 4096))
       ->capture_default_str();
-  arguments->run.addParameters(*command);
+  command->add_option("--config", arguments->run.config, "YAML file with parameters")
+      ->type_name("FILE");
+  command->add_option("--set", arguments->run.assignments, "One parameter as key=value; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
   command->add_flag("--list", arguments->list, "Only print the stresses and their sequences");
   command->callback(
       [arguments, &action] { action = [arguments] { return runStress(*arguments); }; });

@@ -12,19 +12,15 @@ void RunSettings::addTo(CLI::App& command, bool required) {
   command.add_option("--method", method, "Odometry method")
       ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
       ->capture_default_str();
-  addParameters(command);
+  command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
+  command.add_option("--set", assignments, "One parameter as key=value; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
   command.add_option("--start", start, "First frame, from 0")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
   command.add_option("--max-frames", max_frames, "Stop after so many frames")
       ->check(CLI::Range(1, 1000000000));
-}
-
-void RunSettings::addParameters(CLI::App& command) {
-  command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
-  command.add_option("--set", assignments, "One parameter as key=value; repeatable")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
 }
 
 Result<Parameters> RunSettings::parameters() const {

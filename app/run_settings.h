@@ -22,8 +22,6 @@ struct RunSettings {
 
   /// Adds SEQUENCE, --method, --config, --set, --start and --max-frames. `required`: SEQUENCE is.
   void addTo(CLI::App& command, bool required = true);
-  /// Adds --config and --set only.
-  void addParameters(CLI::App& command);
   /// Opens the sequence and makes its runner; `options` brings what is not on the command line.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options) const;
   /// Parameters of --config and --set: input error for the file, usage error for the line.
