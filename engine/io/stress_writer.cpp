@@ -50,13 +50,20 @@ std::string limits(const Rows& rows, const Stress& stress, const std::string& me
   return held + " / " + broken;
 }
 
-std::string percent(const std::optional<double>& fraction, int digits) {
-  return fraction ? fmt::format("{:.{}f} %", 100 * *fraction, digits) : "-";
+std::string percent(const std::optional<double>& fraction) {
+  return fraction ? fmt::format("{:.0f} %", 100 * *fraction) : "-";
+}
+
+/// Two digits: errors lie between 0.001 and 100 %.
+std::string errorPercent(const std::optional<double>& error) {
+  if (!error) return "-";
+  const double percent = 100 * *error;
+  return percent < 10 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
 std::string cell(const StressRow& row) {
   if (!row.start_s) return "no start, broken";
-  std::string text = percent(row.tracked_fraction, 0) + ", " + percent(row.relative_ate, 2);
+  std::string text = percent(row.tracked_fraction) + ", " + errorPercent(row.relative_ate);
   if (row.losses > 0)
     text += fmt::format(", {} {}", row.losses, row.losses == 1 ? "loss" : "losses");
   if (row.blackout)

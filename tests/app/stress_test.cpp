@@ -18,7 +18,7 @@ TEST(StressCommand, WritesTheTables) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("noise"), std::string::npos) << outcome.out;
   const std::string csv = readText(folder / "out/stress.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5 * 2) << csv;
   EXPECT_NE(readText(folder / "out/stress.md").find("| strength | svo | it-svo |"),
             std::string::npos);
 }
