@@ -86,6 +86,7 @@ int runCommandLine(std::vector<std::string> arguments) {
   addBenchCommand(app, action);
   addSynthCommand(app, action);
   addLabCommand(app, action);
+  addStressCommand(app, action);
 
   static const std::vector<std::string> kOwnOptions = {"-h", "--help", "--version"};
   if (arguments.empty()) {

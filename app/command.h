@@ -29,6 +29,7 @@ void addConvertCommand(CLI::App& app, Action& action);
 void addBenchCommand(CLI::App& app, Action& action);
 void addSynthCommand(CLI::App& app, Action& action);
 void addLabCommand(CLI::App& app, Action& action);
+void addStressCommand(CLI::App& app, Action& action);
 
 /// Prints "svoscope: error: ..." to stderr; returns the exit code of the error.
 int reportError(const Error& error);

@@ -41,7 +41,7 @@ struct Sampler {
   bool measure(double t, int level, LineSample& sample) const {
     Place place;
     if (!placeAt(q, line_ref, t, place)) return false;
-    const Mat2 A = affineWarp(q.camera, q.T_cur_ref, place.px_ref, place.f_ref, place.distance);
+    const Mat2 A = affineWarp(q.camera, q.T_cur_ref, place.f_ref, place.distance);
     WarpedPatch patch;
     if (!warpPatch((*q.ref)[q.anchor.level], place.px_ref, q.anchor.level, A, level, patch)) return false;
     const AlignmentResult r = alignPatch1D((*q.cur)[level], patch, toLevel(place.px, level), line.normal, alignment);
@@ -57,7 +57,7 @@ struct Sampler {
 int levelOf(const SegmentQuery& q, const ImageLine& line_ref, double t) {
   Place place;
   if (!placeAt(q, line_ref, t, place)) return q.anchor.level;
-  const Mat2 A = affineWarp(q.camera, q.T_cur_ref, place.px_ref, place.f_ref, place.distance);
+  const Mat2 A = affineWarp(q.camera, q.T_cur_ref, place.f_ref, place.distance);
   return searchLevel(A, q.anchor.level, static_cast<int>(q.cur->size()) - 1);
 }
 

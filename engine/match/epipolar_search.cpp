@@ -136,7 +136,7 @@ SearchOutcome prepare(const EpipolarQuery& q, const EpipolarParameters& p, Prepa
   out.line = epipolarLine(q, p.search_sigmas);
   if (!out.line.valid || !out.line.middle.allFinite()) return SearchOutcome::out_of_view;
   if (!q.camera.inside(out.line.middle, 9)) return SearchOutcome::out_of_view;
-  out.A_cur_ref = affineWarp(q.camera, q.T_cur_ref, q.px_ref, q.f_ref, 1.0 / std::max(q.mu, kMinInverseDistance));
+  out.A_cur_ref = affineWarp(q.camera, q.T_cur_ref, q.f_ref, 1.0 / std::max(q.mu, kMinInverseDistance));
   const int top = static_cast<int>(q.cur->size()) - 1;
   out.level = searchLevel(out.A_cur_ref, q.level_ref, top);
   const bool warped = warpPatch((*q.ref)[q.level_ref], q.px_ref, q.level_ref, out.A_cur_ref,

@@ -7,8 +7,7 @@
 
 namespace svoscope {
 
-Mat2 affineWarp(const Pinhole& camera, const SE3& T_cur_ref, const Vec2& px_ref, const Vec3& f_ref,
-                double distance) {
+Mat2 affineWarp(const Pinhole& camera, const SE3& T_cur_ref, const Vec3& f_ref, double distance) {
   // Closed form of the derivative of "unproject onto the plane through the point, parallel to the
   // reference image; transform; project".
   const Mat3 R = T_cur_ref.rotation();
@@ -19,7 +18,6 @@ Mat2 affineWarp(const Pinhole& camera, const SE3& T_cur_ref, const Vec2& px_ref,
   Eigen::Matrix<double, 3, 2> dp;
   dp.col(0) = R.col(0) * (z / camera.fx);
   dp.col(1) = R.col(1) * (z / camera.fy);
-  (void)px_ref;
   return J * dp;
 }
 

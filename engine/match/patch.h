@@ -38,8 +38,7 @@ inline float bilinear(const cv::Mat& image, float x, float y) {
 /// How the surroundings of a pixel in the reference view appear in the current view, for a surface
 /// patch facing the reference camera at distance `distance` along bearing `f_ref` (unit).
 /// d px_cur / d px_ref, both at level 0.
-Mat2 affineWarp(const Pinhole& camera, const SE3& T_cur_ref, const Vec2& px_ref, const Vec3& f_ref,
-                double distance);
+Mat2 affineWarp(const Pinhole& camera, const SE3& T_cur_ref, const Vec3& f_ref, double distance);
 
 /// Level of the current pyramid at which the warped patch has about the reference's resolution:
 /// one up while the area factor exceeds 3. `A_cur_ref` is d px_cur / d px_ref at level 0.

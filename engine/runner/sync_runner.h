@@ -5,10 +5,8 @@
 
 #include <deque>
 
-#include "engine/runner/engine.h"
 #include "engine/runner/make_runner.h"
-#include "engine/runner/playback.h"
-#include "engine/runner/run_log.h"
+#include "engine/runner/publish.h"
 
 namespace svoscope {
 
@@ -28,15 +26,15 @@ class SyncRunner : public Runner {
   int generation() const override { return log_.generation(); }
 
  private:
-  void handle(const Command& command);
   void processFrame();
+  RunParts parts() { return {engine_, playback_, log_, publish_}; }
 
   Engine engine_;
   RunLog log_;
   Playback playback_;
   std::deque<Command> commands_;
   bool publish_;
-  double frame_ms_ = 0;
+  FrameRate rate_;
 };
 
 }  // namespace svoscope

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/runner/threaded_runner.h"
 
-#include <algorithm>
-
 #include "engine/base/stopwatch.h"
 
 namespace svoscope {
-
-bool isStart(const std::vector<Event>& events);
 
 namespace {
 /// Jobs waiting beyond this: at a set speed those that only measure old seeds are dropped, as a
@@ -74,7 +70,7 @@ void ThreadedRunner::publishStatus() {
   status_.playing = playback_.playing();
   status_.finished = engine_.finished();
   status_.next_frame = engine_.nextFrame();
-  status_.fps = frame_ms_ > 0 ? 1000.0 / frame_ms_ : 0;
+  status_.fps = rate_.fps();
 }
 
 bool ThreadedRunner::takeCommands() {
@@ -94,24 +90,15 @@ bool ThreadedRunner::takeCommands() {
 }
 
 void ThreadedRunner::handle(const Command& command) {
-  playback_.handle(command);
   next_frame_time_ = {};
   if (command.kind == Command::Kind::reset) {
     ++map_generation_;
     tasks_.clear();
-    engine_.reset();
-    log_.clear();
-    log_.parameters(listParameters(engine_.parameters()), engine_.nextFrame());
-  } else if (command.kind == Command::Kind::pause && !publish_ && engine_.record().index >= 0) {
-    log_.addSnapshot(engine_.snapshot());
-  } else if (command.kind == Command::Kind::set_parameter) {
-    const Status status = engine_.setParameter(command.key, command.value);
-    if (!status.ok()) log_.addNote({engine_.nextFrame(), EventKind::warning, status.error().message()});
-    std::vector<ParameterView> views = listParameters(engine_.parameters());
-    log_.parameters(views, engine_.nextFrame());
-    const std::lock_guard<std::mutex> lock(mutex_);
-    parameter_views_ = std::move(views);
   }
+  applyCommand(parts(), command);
+  if (command.kind != Command::Kind::set_parameter) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  parameter_views_ = listParameters(engine_.parameters());
 }
 
 void ThreadedRunner::applyAnswers() {
@@ -132,17 +119,8 @@ void ThreadedRunner::processFrame() {
     tasks_.push({std::move(*job), engine_.mappingParameters(), map_generation_});
   }
   applyAnswers();
-  engine_.refreshRecord();
-  playback_.processed(engine_.record(), isStart(engine_.events()));
-  if (publish_ || engine_.finished() || !playback_.wantsFrame()) log_.addSnapshot(engine_.snapshot());
-  log_.addRecord(engine_.record());
-  log_.addEvents(engine_.events());
-  if (engine_.finished()) {
-    playback_.finish();
-    log_.addNote({engine_.record().index, EventKind::finished, "end of the sequence"});
-  }
-  const double ms = watch.ms();
-  frame_ms_ = frame_ms_ > 0 ? 0.9 * frame_ms_ + 0.1 * ms : ms;
+  publishFrame(parts());
+  rate_.add(watch.ms());
 }
 
 /// Waits for the frame's turn when a speed is set; commands cut the wait short.

@@ -9,10 +9,8 @@
 #include <thread>
 
 #include "engine/runner/blocking_queue.h"
-#include "engine/runner/engine.h"
 #include "engine/runner/make_runner.h"
-#include "engine/runner/playback.h"
-#include "engine/runner/run_log.h"
+#include "engine/runner/publish.h"
 
 namespace svoscope {
 
@@ -52,6 +50,7 @@ class ThreadedRunner : public Runner {
   void applyAnswers();
   void pace();
   void publishStatus();
+  RunParts parts() { return {engine_, playback_, log_, publish_}; }  ///< tracking thread only
 
   Engine engine_;           ///< tracking thread only
   Playback playback_;       ///< tracking thread only
@@ -70,7 +69,7 @@ class ThreadedRunner : public Runner {
   RunnerStatus status_;
   std::vector<ParameterView> parameter_views_;
 
-  double frame_ms_ = 0;     ///< tracking thread only
+  FrameRate rate_;          ///< tracking thread only
   std::chrono::steady_clock::time_point next_frame_time_{};
   std::thread tracking_, mapping_;
 };

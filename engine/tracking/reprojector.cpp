@@ -143,7 +143,7 @@ class Reprojection {
   /// Warps the patch of a reference view at known distance and aligns it at the prediction.
   bool alignAnchor(const Keyframe& keyframe, const FeatureAnchor& anchor, double distance, TrackedFeature& f) {
     const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
-    const Mat2 A = affineWarp(map_.camera, T_cur_ref, anchor.px, anchor.f, distance);
+    const Mat2 A = affineWarp(map_.camera, T_cur_ref, anchor.f, distance);
     const int top = static_cast<int>(frame_.pyramid->size()) - 1;
     const int level = std::min(top, searchLevel(A, anchor.level, top) + p_.coarser);
     WarpedPatch patch;

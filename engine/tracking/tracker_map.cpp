@@ -315,7 +315,7 @@ void Tracker::buildMap(const InitializerOutput& start) {
     f.keyframe_id = ref.id;
     f.anchor = {p.px_cur, map_.camera.bearing(p.px_cur), p.level, p.type, Vec2::Zero()};
     if (p.type == FeatureType::edgelet) {
-      const Mat2 A = affineWarp(map_.camera, start.T_cur_ref, p.px_ref, anchor.f, p.p_ref.norm());
+      const Mat2 A = affineWarp(map_.camera, start.T_cur_ref, anchor.f, p.p_ref.norm());
       f.anchor.gradient_dir = (A.inverse().transpose() * p.gradient_dir).normalized();
     }
     f.p_world = p.p_ref;

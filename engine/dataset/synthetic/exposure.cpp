@@ -52,6 +52,13 @@ std::vector<float> illumination(int frames, double light, std::uint64_t seed) {
   return gains;
 }
 
+std::vector<float> illuminationSteps(int frames, double ratio) {
+  const double cycle[] = {1, ratio, 1, 1 / ratio};
+  std::vector<float> gains(frames);
+  for (int i = 0; i < frames; ++i) gains[i] = static_cast<float>(cycle[i / kStepFrames % 4]);
+  return gains;
+}
+
 cv::Mat expose(const cv::Mat& rendered, float gain, double sigma, std::uint64_t seed) {
   static const NoiseTable table = makeNoiseTable();
   cv::Mat image(rendered.size(), CV_8UC1);

@@ -6,7 +6,7 @@
 namespace svoscope::synthetic {
 
 int Scene::addTexture(const cv::Mat& image) {
-  textures.emplace_back(image);
+  textures.emplace_back(image, contrast);
   return static_cast<int>(textures.size()) - 1;
 }
 

@@ -22,6 +22,7 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Quad> quads;
   float sky = 0;           ///< grey level where no quad is; a little darker towards the zenith
+  double contrast = 1;     ///< of the textures, see Texture
   double texel_scale = 1;  ///< small images need no fine textures: they are built coarser, faster
 
   /// Index of a new texture.

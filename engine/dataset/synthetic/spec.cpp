@@ -67,8 +67,12 @@ bool setOption(SyntheticSpec& spec, const std::string& name, const std::string& 
   if (name == "frames") return store(integerIn(value, {1, 100000}), spec.frames);
   if (name == "noise") return store(numberIn(value, {0, 50}), spec.noise);
   if (name == "blur") return store(numberIn(value, {0, 1}), spec.blur);
+  if (name == "step") return store(numberIn(value, {1, 3}), spec.step);
   if (name == "light") return store(numberIn(value, {0, 3}), spec.light);
   if (name == "occlude") return store(numberIn(value, {0, 0.9}), spec.occlude);
+  if (name == "movers") return store(integerIn(value, {0, 12}), spec.movers);
+  if (name == "texture") return store(numberIn(value, {0, 1}), spec.texture);
+  if (name == "travel") return store(numberIn(value, {0, 1}), spec.travel);
   if (name == "speed") return store(numberIn(value, {0, 10}), spec.speed);
   if (name == "seed") return storeSeed(value, spec.seed);
   if (name == "blackout")
@@ -102,10 +106,14 @@ const std::vector<NamedText>& syntheticOptions() {
       {"frames", "number of frames, 1..100000, default 300"},
       {"noise", "image noise, standard deviation in grey levels, 0..50, default 1.5"},
       {"blur", "motion blur: exposure as a fraction of the frame interval, 0..1, default 0"},
+      {"step", "brightness steps every 25 frames by exactly this ratio, 1..3, default 1"},
       {"light", "brightness steps every 25 frames by ratios up to 1.3^light, 0..3, default 0"},
       {"occlude", "fraction of the image covered by a moving object, 0..0.9, default 0"},
+      {"movers", "textured boxes that move through the scene, 0..12, default 0"},
+      {"texture", "contrast of all surfaces, 0..1, default 1"},
       {"blackout", "FIRST:COUNT, frames that are black"},
-      {"speed", "motion is this many times as fast, 0..10, default 1"},
+      {"travel", "fraction of the camera's translation that is left, 0..1, default 1"},
+      {"speed", "motion of the camera is this many times as fast, 0..10, default 1"},
       {"seed", "other textures, layout and noise, 0..2147483647, default 1"},
       {"size", "WIDTHxHEIGHT in pixels, 32..4096; focal length and texture detail follow"}};
   return options;

@@ -19,9 +19,13 @@ struct SyntheticSpec {
   double rate_hz = 30;      ///< 10 for `forward`; not an option
   double noise = 1.5;       ///< standard deviation of the image noise, grey levels
   double blur = 0;          ///< exposure as a fraction of the frame interval, 0..1
+  double step = 1;          ///< illumination steps by exactly this ratio, every 25 frames
   double light = 0;         ///< illumination steps: ratio up to 1.3^light, every 25 frames
   double occlude = 0;       ///< fraction of the image covered by a moving object, 0..0.9
-  double speed = 1;         ///< motion is this many times as fast
+  int movers = 0;           ///< boxes that move through the scene on their own
+  double texture = 1;       ///< contrast of all surfaces, 0..1
+  double travel = 1;        ///< what is left of the camera's translation, 0..1
+  double speed = 1;         ///< motion of the camera is this many times as fast
   std::uint64_t seed = 1;   ///< textures, layout and noise
   int blackout_first = -1;  ///< first black frame
   int blackout_count = 0;

@@ -31,8 +31,10 @@ class SyntheticSequence : public Sequence {
   Result<cv::Mat> readDepth(int index) override;
 
  private:
-  SE3 poseAt(double time) const { return world_.motion(time * spec_.speed); }
+  SE3 poseAt(double time) const;
   std::vector<Quad> occluderAt(double time) const;
+  /// All that is not part of the resting scene, in the camera frame.
+  std::vector<Quad> movingAt(double time) const;
   cv::Mat renderLight(int index) const;
   bool black(int index) const {
     return index >= spec_.blackout_first && index < spec_.blackout_first + spec_.blackout_count;
@@ -55,12 +57,21 @@ SyntheticSequence::SyntheticSequence(const SyntheticSpec& spec)
   camera_.pinhole = {
       spec.width, spec.height, f, f, 0.5 * (spec.width - 1), 0.5 * (spec.height - 1)};
   camera_.rate_hz = spec.rate_hz;
+  const std::vector<float> steps = illuminationSteps(spec.frames, spec.step);
+  for (int i = 0; i < spec.frames; ++i) gains_[i] *= steps[i];
   truth_.reserve(spec.frames);
   for (int i = 0; i < spec.frames; ++i) truth_.push_back({timestamp(i), poseAt(timestamp(i))});
   if (spec.occlude > 0) {
     const Surface surface{0.5, 0.4, 0.001, mixSeed(spec.seed, 77)};
     occluder_texture_ = world_.scene.addTexture(shapes(surface, 110, 80, 0.08));
   }
+}
+
+SE3 SyntheticSequence::poseAt(double time) const {
+  const SE3 pose = world_.motion(time * spec_.speed);
+  if (spec_.travel == 1) return pose;
+  const Vec3 start = world_.motion(0).translation();
+  return SE3(pose.quaternion(), start + spec_.travel * (pose.translation() - start));
 }
 
 /// A card before the lens that sweeps to and fro; always whole in the image, so that the covered
@@ -76,14 +87,29 @@ std::vector<Quad> SyntheticSequence::occluderAt(double time) const {
            occluder_texture_, 1.f}};
 }
 
+std::vector<Quad> SyntheticSequence::movingAt(double time) const {
+  std::vector<Quad> quads = occluderAt(time);
+  const SE3 T_cam_world = poseAt(time).inverse();
+  for (const Mover& mover : world_.movers) {
+    const SE3 T_cam_mover = T_cam_world * mover.motion(time);
+    for (Quad quad : mover.quads) {
+      quad.corner = T_cam_mover * quad.corner;
+      quad.edge_u = T_cam_mover.quaternion() * quad.edge_u;
+      quad.edge_v = T_cam_mover.quaternion() * quad.edge_v;
+      quads.push_back(quad);
+    }
+  }
+  return quads;
+}
+
 cv::Mat SyntheticSequence::renderLight(int index) const {
   const double t = timestamp(index), exposure = spec_.blur / spec_.rate_hz;
-  if (exposure <= 0) return render(world_.scene, camera_.pinhole, poseAt(t), occluderAt(t)).gray;
+  if (exposure <= 0) return render(world_.scene, camera_.pinhole, poseAt(t), movingAt(t)).gray;
   cv::Mat sum(spec_.height, spec_.width, CV_32FC1, cv::Scalar(0));
   for (int i = 0; i < kSubExposures; ++i) {
     // Centred on the time stamp: the true pose is the one in the middle of the exposure.
     const double ti = t + exposure * ((i + 0.5) / kSubExposures - 0.5);
-    cv::add(sum, render(world_.scene, camera_.pinhole, poseAt(ti), occluderAt(ti)).gray, sum);
+    cv::add(sum, render(world_.scene, camera_.pinhole, poseAt(ti), movingAt(ti)).gray, sum);
   }
   sum.convertTo(sum, CV_32F, 1.0 / kSubExposures);
   return sum;
@@ -98,7 +124,7 @@ Result<SequenceImage> SyntheticSequence::read(int index) {
 
 Result<cv::Mat> SyntheticSequence::readDepth(int index) {
   const double t = timestamp(index);
-  return renderDepth(world_.scene, camera_.pinhole, poseAt(t), occluderAt(t));
+  return renderDepth(world_.scene, camera_.pinhole, poseAt(t), movingAt(t));
 }
 
 }  // namespace

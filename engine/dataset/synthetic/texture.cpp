@@ -23,7 +23,8 @@ float bilinear(const cv::Mat& image, float x, float y) {
 
 }  // namespace
 
-Texture::Texture(const cv::Mat& image) {
+Texture::Texture(const cv::Mat& image, double contrast) : gain_(static_cast<float>(contrast)) {
+  if (contrast != 1) offset_ = static_cast<float>((1 - contrast) * cv::mean(image)[0]);
   levels_.push_back(image);
   while (std::min(levels_.back().cols, levels_.back().rows) >= 2) {
     // Exact halves only: an odd row or column is dropped, so that level l is level 0 shrunk by
@@ -36,7 +37,7 @@ Texture::Texture(const cv::Mat& image) {
   }
 }
 
-float Texture::sample(float x, float y, float lod) const {
+float Texture::stored(float x, float y, float lod) const {
   if (lod <= 0.f) return bilinear(levels_[0], x, y);
   const int last = static_cast<int>(levels_.size()) - 1;
   const int level = std::min(static_cast<int>(lod), last);

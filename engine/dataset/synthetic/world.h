@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "engine/dataset/synthetic/movers.h"
 #include "engine/dataset/synthetic/scene.h"
 #include "engine/dataset/synthetic/spec.h"
 #include "engine/geometry/se3.h"
@@ -18,6 +19,7 @@ struct World {
   double focal = 525;                 ///< px at the preset's own width
   double preset_width = 640;          ///< px
   std::function<SE3(double)> motion;  ///< T_world_cam at a time in s, before `speed`
+  std::vector<Mover> movers;
 };
 
 /// Builds the preset of the specification, which must come from parseSyntheticSpec().

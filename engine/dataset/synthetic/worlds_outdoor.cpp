@@ -88,6 +88,7 @@ void addParked(Scene& scene, std::uint64_t seed, double from, double to) {
 World::World(const SyntheticSpec& spec, double width, double focal_px)
     : focal(focal_px), preset_width(width) {
   scene.texel_scale = std::clamp(width / spec.width, 1.0, 4.0);
+  scene.contrast = spec.texture;
 }
 
 World buildStreet(const SyntheticSpec& spec) {
@@ -125,12 +126,22 @@ World buildFloor(const SyntheticSpec& spec) {
   return world;
 }
 
-World buildWorld(const SyntheticSpec& spec) {
+namespace {
+
+World buildScene(const SyntheticSpec& spec) {
   if (spec.preset == "desk") return buildDesk(spec);
   if (spec.preset == "floor") return buildFloor(spec);
   if (spec.preset == "corridor") return buildCorridor(spec);
   if (spec.preset == "forward") return buildStreet(spec);
   return buildRoom(spec);
+}
+
+}  // namespace
+
+World buildWorld(const SyntheticSpec& spec) {
+  World world = buildScene(spec);
+  world.movers = buildMovers(spec, world.scene);
+  return world;
 }
 
 }  // namespace svoscope::synthetic

@@ -30,7 +30,7 @@ TEST(AffineWarp, IsTheDerivativeOfTheWarpOfAFrontoParallelPlane) {
       const Vec2 step = h * Vec2::Unit(k);
       numeric.col(k) = (warp(px + step) - warp(px - step)) / (2 * h);
     }
-    const Mat2 A = affineWarp(camera, T, px, camera.bearing(px), distance);
+    const Mat2 A = affineWarp(camera, T, camera.bearing(px), distance);
     EXPECT_LT((A - numeric).norm(), 1e-6);
   }
 }
@@ -38,7 +38,7 @@ TEST(AffineWarp, IsTheDerivativeOfTheWarpOfAFrontoParallelPlane) {
 TEST(AffineWarp, NoMotionIsTheIdentity) {
   const Pinhole camera = test::smallCamera();
   const Vec2 px(70, 200);
-  EXPECT_LT((affineWarp(camera, SE3(), px, camera.bearing(px), 3) - Mat2::Identity()).norm(), 1e-12);
+  EXPECT_LT((affineWarp(camera, SE3(), camera.bearing(px), 3) - Mat2::Identity()).norm(), 1e-12);
 }
 
 /// grey = 10 + 2 x + y: integers, so bilinear sampling is exact.
