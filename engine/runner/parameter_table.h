@@ -99,6 +99,8 @@ void visitQuality(P& p, F&& f) {
   f(ParameterInfo{"quality.reset_lost_frames", "frames", "a young map is given up after", 1, 100000}, t.quality.reset_lost_frames);
   f(ParameterInfo{"quality.structure_iterations", "", "Gauss-Newton steps per landmark and frame", 0, 50}, t.quality.structure_iterations);
   f(ParameterInfo{"relocalize.candidates", "", "keyframes tried per frame", 1, 50}, t.relocalize.candidates);
+  f(ParameterInfo{"quality.relocalized_fraction", "", "share of the features tried that confirms a relocalization", 0, 1}, t.quality.relocalized_fraction);
+  f(ParameterInfo{"relocalize.places", "", "keyframes whose landmarks are matched by descriptors", 0, 1000}, t.relocalize.places);
   f(ParameterInfo{"relocalize.min_similarity", "", "correlation of the small images", -1, 1}, t.relocalize.min_similarity);
 }
 

@@ -87,9 +87,8 @@ std::vector<AlignmentPatch> keyframePatches(const Map& map, const Keyframe& keyf
   return patches;
 }
 
-std::vector<RelocalizationCandidate> relocalizationCandidates(const Map& map, const Pyramid& pyramid,
-                                                              const SparseAlignmentParameters& alignment,
-                                                              const RelocalizerParameters& p) {
+std::vector<RelocalizationCandidate> similarKeyframes(const Map& map, const Pyramid& pyramid, int most,
+                                                      double min_similarity) {
   const cv::Mat thumbnail = makeThumbnail(pyramid);
   std::vector<RelocalizationCandidate> ranked;
   for (const auto& [id, keyframe] : map.keyframes) {
@@ -97,13 +96,19 @@ std::vector<RelocalizationCandidate> relocalizationCandidates(const Map& map, co
     RelocalizationCandidate c;
     c.keyframe_id = id;
     c.T_cam_world = shiftRotation(keyframe.thumbnail, thumbnail, map.camera, c.similarity) * keyframe.T_cam_world;
-    if (c.similarity >= p.min_similarity) ranked.push_back(c);
+    if (c.similarity >= min_similarity) ranked.push_back(c);
   }
   std::sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
     return a.similarity != b.similarity ? a.similarity > b.similarity : a.keyframe_id > b.keyframe_id;
   });
-  if (static_cast<int>(ranked.size()) > p.candidates) ranked.resize(static_cast<std::size_t>(p.candidates));
+  if (static_cast<int>(ranked.size()) > most) ranked.resize(static_cast<std::size_t>(most));
+  return ranked;
+}
 
+std::vector<RelocalizationCandidate> relocalizationCandidates(const Map& map, const Pyramid& pyramid,
+                                                              const SparseAlignmentParameters& alignment,
+                                                              const RelocalizerParameters& p) {
+  std::vector<RelocalizationCandidate> ranked = similarKeyframes(map, pyramid, p.candidates, p.min_similarity);
   SparseAlignmentParameters coarse = alignment;
   coarse.max_level = static_cast<int>(pyramid.size()) - 1;
   coarse.max_iterations = 30;

@@ -11,7 +11,8 @@
 namespace svoscope {
 
 struct RelocalizerParameters {
-  int candidates = 4;              ///< keyframes tried per frame
+  int candidates = 4;              ///< keyframes tried per frame, each by alignment and by descriptors
+  int places = 12;                 ///< keyframes whose landmarks are matched by descriptors
   double min_similarity = 0.35;    ///< correlation of the small images, -1 .. 1
   int min_patches = 25;            ///< visible after alignment
 };
@@ -24,6 +25,11 @@ struct RelocalizationCandidate {
   double similarity = 0;
   SE3 T_cam_world;                 ///< after alignment to the keyframe
 };
+
+/// Keyframes by similarity of their thumbnails to the image's, best first, at most `most`; poses turned
+/// from the keyframe's as the thumbnails shift.
+std::vector<RelocalizationCandidate> similarKeyframes(const Map& map, const Pyramid& pyramid, int most,
+                                                      double min_similarity);
 
 /// Keyframes similar to the image, each with an aligned pose, best first.
 std::vector<RelocalizationCandidate> relocalizationCandidates(

@@ -41,6 +41,7 @@ void Tracker::reset() {
   job_.reset();
   local_keyframes_.clear();
   seed_updates_.clear();
+  places_.clear();
   lost_frames_ = 0;
   last_keyframe_frame_ = latest_keyframe_ = -1;
 }
@@ -152,30 +153,46 @@ void Tracker::relocalize() {
     initialize();
     return;
   }
-  auto candidates = relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment, parameters_.relocalize);
+  // Alignment first: it is exact where it converges. Descriptors reach further.
   std::string failure = "no keyframe looks like this frame";
+  const bool found =
+      tryRelocalization(relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment, parameters_.relocalize),
+                        "alignment", failure) ||
+      tryRelocalization(matchPlaces(map_, *frame_.pyramid, places_, parameters_.relocalize), "descriptors", failure);
+  if (!found) {
+    frame_.T_cam_world = T_last_good_;
+    record_.reason = "lost, " + failure;
+  }
+  stageMs(record_, Stage::relocalize) = watch.ms();
+}
+
+/// Takes the first candidate that the map confirms.
+bool Tracker::tryRelocalization(const std::vector<RelocalizationCandidate>& candidates, const char* by,
+                                std::string& failure) {
+  const QualityParameters& q = parameters_.quality;
   for (const RelocalizationCandidate& c : candidates) {
     Attempt a = attempt(c.T_cam_world, "relocalization");
     // Once more from the refined pose: the first pass finds only what lay near its prediction.
-    if (a.pose.inliers + a.pose.segment_inliers >= parameters_.quality.min_inliers) a = attempt(a.T_cam_world, "relocalization");
-    if (accept(a, parameters_.quality.relocalized_inliers)) {
-      frame_.T_cam_world = T_last_good_ = a.T_cam_world;
-      T_velocity_ = SE3();
-      state_ = TrackingState::tracking;
-      record_.pose_good = record_.relocalized = true;
-      record_.reason = fmt::format("relocalized on keyframe {}", c.keyframe_id);
-      event(EventKind::relocalized, fmt::format("{} after {} frames", record_.reason, lost_frames_));
-      commitSeedMatches(a.reprojected.seed_matches);
-      commitSegments();
-      requestMeasurements();
-      stageMs(record_, Stage::relocalize) = watch.ms();
-      return;
+    if (a.pose.inliers + a.pose.segment_inliers >= q.min_inliers) a = attempt(a.T_cam_world, "relocalization");
+    // At a wrong pose chance alone matches some of hundreds: a share of what was tried must fit, too.
+    const int tried = a.reprojected.tried + a.segments.tried;
+    const int required = std::max(q.relocalized_inliers, static_cast<int>(q.relocalized_fraction * tried));
+    if (!accept(a, required)) {
+      failure = fmt::format("keyframe {} by {}: {}", c.keyframe_id, by, a.failure);
+      continue;
     }
-    failure = fmt::format("keyframe {}: {}", c.keyframe_id, a.failure);
+    frame_.T_cam_world = T_last_good_ = a.T_cam_world;
+    T_velocity_ = SE3();
+    state_ = TrackingState::tracking;
+    record_.pose_good = record_.relocalized = true;
+    record_.reason = fmt::format("relocalized on keyframe {} by {}", c.keyframe_id, by);
+    event(EventKind::relocalized, fmt::format("{} after {} frames", record_.reason, lost_frames_));
+    commitSeedMatches(a.reprojected.seed_matches);
+    commitSegments();
+    requestMeasurements();
+    return true;
   }
-  frame_.T_cam_world = T_last_good_;
-  record_.reason = "lost, " + failure;
-  stageMs(record_, Stage::relocalize) = watch.ms();
+  return false;
 }
 
 void Tracker::event(EventKind kind, std::string text) {

@@ -14,6 +14,7 @@
 #include "engine/tracking/frame.h"
 #include "engine/tracking/initializer.h"
 #include "engine/tracking/keyframe_policy.h"
+#include "engine/tracking/place_matching.h"
 #include "engine/tracking/pose_refinement.h"
 #include "engine/tracking/relocalizer.h"
 #include "engine/tracking/reprojector.h"
@@ -25,7 +26,8 @@ namespace svoscope {
 struct QualityParameters {
   int min_inliers = 20;            ///< fewer after pose refinement: lost
   double min_inlier_fraction = 0.4;  ///< of the matched features; below: lost
-  int relocalized_inliers = 30;    ///< needed to accept a relocalisation
+  int relocalized_inliers = 30;    ///< needed to accept a relocalisation ...
+  double relocalized_fraction = 0.15;  ///< ... and this share of the features tried
   int reset_lost_frames = 10;      ///< lost for this long with a fresh map: start again
   int fresh_map_keyframes = 3;     ///< a map with at most this many keyframes is fresh
   int structure_iterations = 5;    ///< Gauss-Newton steps per landmark and frame
@@ -88,6 +90,7 @@ class Tracker {
   void initialize();
   void trackFrame();
   void relocalize();
+  bool tryRelocalization(const std::vector<RelocalizationCandidate>& candidates, const char* by, std::string& failure);
   std::vector<Prediction> predictions(const std::vector<AlignmentPatch>& patches);
   bool trackFrom(const Prediction& prediction, const std::vector<AlignmentPatch>& patches, Attempt& best);
   Attempt attempt(const SE3& T_cam_world, const char* from, int coarser = 0);
@@ -142,6 +145,7 @@ class Tracker {
   std::vector<Event> events_;
   std::vector<int> local_keyframes_;
   OccupancyGrid occupied_;
+  PlaceIndex places_;
   std::optional<MappingJob> job_;
   std::vector<std::int64_t> measured_seeds_;   ///< by the tracker in this frame, sorted
   std::vector<SeedUpdateView> seed_updates_;
