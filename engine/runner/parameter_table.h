@@ -35,7 +35,6 @@ void visitTracking(P& p, F&& f) {
   f(ParameterInfo{"pose.max_iterations", "", "Gauss-Newton steps of pose refinement", 1, 100}, t.pose.max_iterations);
   f(ParameterInfo{"pose.max_error_px", "px", "reprojection error of an inlier, times 2^level", 0.1, 50}, t.pose.max_error_px);
   f(ParameterInfo{"pose.edgelet_sigma", "", "noise of an edgelet relative to a corner", 0.1, 20}, t.pose.edgelet_sigma);
-  f(ParameterInfo{"pose.seed_sigma", "", "noise of an unconverged seed relative to a landmark", 0.1, 20}, t.pose.seed_sigma);
   f(ParameterInfo{"keyframe.enough_landmarks", "", "no keyframe above", 10, 2000}, t.keyframe.enough_landmarks);
   f(ParameterInfo{"keyframe.few_landmarks", "", "keyframe at once below", 0, 2000}, t.keyframe.few_landmarks);
   f(ParameterInfo{"keyframe.min_frames", "", "frames between keyframes", 1, 1000}, t.keyframe.min_frames);

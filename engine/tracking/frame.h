@@ -16,6 +16,8 @@ struct TrackedFeature {
   FeatureAnchor anchor;              ///< measured in this frame
   Vec2 predicted_px = Vec2::Zero();  ///< where it was projected before alignment
   Vec3 p_world = Vec3::Zero();
+  Vec3 p_believed = Vec3::Zero();    ///< seeds: where the belief had it before this frame; else p_world
+  Vec2 depth_px = Vec2::Zero();      ///< seeds: how far one sigma of that belief moves its projection
   FeatureStatus status = FeatureStatus::inlier;
   double error_px = 0;               ///< reprojection error after pose refinement
 };

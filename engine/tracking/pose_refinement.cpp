@@ -33,9 +33,24 @@ Residual residualOf(const Pinhole& camera, const PoseObservation& o, const SE3& 
 double sigmaOf(const PoseObservation& o, const PoseRefinementParameters& p) {
   double sigma = 1 << o.level;
   if (o.type == FeatureType::edgelet) sigma *= p.edgelet_sigma;
-  if (o.unconverged) sigma *= p.seed_sigma;
   return sigma;
 }
+
+/// Inverse of sigma^2 I + depth_px depth_px^T; of an edgelet, (0, 0) holds the one along its gradient.
+Mat2 informationOf(const PoseObservation& o, double sigma) {
+  const double s2 = sigma * sigma;
+  Mat2 W = Mat2::Zero();
+  if (o.type == FeatureType::edgelet) {
+    const double d = o.gradient_dir.dot(o.depth_px);
+    W(0, 0) = 1 / (s2 + d * d);
+    return W;
+  }
+  const Vec2& d = o.depth_px;
+  return (Mat2::Identity() - d * d.transpose() / (s2 + d.squaredNorm())) / s2;
+}
+
+/// Length of the error in sigmas.
+double lengthOf(const Residual& r, const Mat2& information) { return std::sqrt(r.e.dot(information * r.e)); }
 
 double medianOf(std::vector<double> v) {
   if (v.empty()) return 0;
@@ -49,7 +64,7 @@ double robustScale(const Pinhole& camera, const std::vector<PoseObservation>& ob
   std::vector<double> errors;
   for (const PoseObservation& o : observations) {
     const Residual r = residualOf(camera, o, T);
-    if (r.valid) errors.push_back(r.e.norm() / sigmaOf(o, p));
+    if (r.valid) errors.push_back(lengthOf(r, informationOf(o, sigmaOf(o, p))));
   }
   return std::max(p.min_scale_px, 1.48 * medianOf(std::move(errors)));
 }
@@ -72,17 +87,17 @@ NormalEquations linearize(const Pinhole& camera, const std::vector<PoseObservati
   for (const PoseObservation& o : observations) {
     const Residual r = residualOf(camera, o, T);
     if (!r.valid) continue;
-    const double s = scale * sigmaOf(o, p);
-    const double w = tukeyWeight(r.e.norm() / s) / (s * s);
+    const Mat2 W = informationOf(o, scale * sigmaOf(o, p));
+    const double w = tukeyWeight(lengthOf(r, W));
     if (w <= 0) continue;
     const Mat26 J = pixelTwistJacobian(camera, T * o.p_world);
     if (o.type == FeatureType::edgelet) {
       const Eigen::Matrix<double, 1, 6> j = o.gradient_dir.transpose() * J;
-      n.H += w * j.transpose() * j;
-      n.b += w * j.transpose() * r.e.x();
+      n.H += w * W(0, 0) * j.transpose() * j;
+      n.b += w * W(0, 0) * j.transpose() * r.e.x();
     } else {
-      n.H += w * J.transpose() * J;
-      n.b += w * J.transpose() * r.e;
+      n.H += w * J.transpose() * W * J;
+      n.b += w * J.transpose() * W * r.e;
     }
   }
   return n;
@@ -94,9 +109,10 @@ void classify(const Pinhole& camera, const std::vector<PoseObservation>& observa
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const PoseObservation& o = observations[i];
     const Residual r = residualOf(camera, o, result.T_cam_world);
-    const double e = r.valid ? r.e.norm() : kBehind;
+    const double px = 1 << o.level;
+    const double e = r.valid ? px * lengthOf(r, informationOf(o, px)) : kBehind;
     result.error_px[i] = e;
-    result.inlier[i] = e <= p.max_error_px * (1 << o.level);
+    result.inlier[i] = e <= p.max_error_px * px;
     if (result.inlier[i]) inlier_errors.push_back(e);
   }
   result.inliers = static_cast<int>(inlier_errors.size());

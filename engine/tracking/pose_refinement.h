@@ -17,7 +17,6 @@ struct PoseRefinementParameters {
   double max_error_px = 2;       ///< features above are outliers; times 2^level
   double edgelet_sigma = 2;      ///< noise of an edgelet relative to a corner
   double min_scale_px = 0.15;    ///< floor of the robust scale
-  double seed_sigma = 1;         ///< noise of an unconverged seed relative to a landmark
 };
 
 struct PoseObservation {
@@ -26,7 +25,9 @@ struct PoseObservation {
   int level = 0;
   FeatureType type = FeatureType::corner;
   Vec2 gradient_dir = Vec2::Zero();  ///< edgelets, unit
-  bool unconverged = false;
+  /// One sigma of the point's depth in the image. The covariance of the error is that of the pixel noise
+  /// plus depth_px depth_px^T: a seed of unknown depth informs the pose across its epipolar line only.
+  Vec2 depth_px = Vec2::Zero();
 };
 
 struct PoseRefinementResult {
@@ -35,7 +36,7 @@ struct PoseRefinementResult {
   Mat6 information = Mat6::Zero();   ///< of a left twist, in units of the robust scale
   double scale_px = 0;               ///< robust scale, level-0 px
   double median_px = 0;              ///< median error of inliers, level-0 px
-  std::vector<double> error_px;      ///< per observation, level-0 px
+  std::vector<double> error_px;      ///< per observation, level-0 px; what the depth's doubt does not explain
   std::vector<char> inlier;          ///< per observation
   int inliers = 0;
   double segment_scale = 0;          ///< robust scale of the segments, times line_noise_px

@@ -105,7 +105,7 @@ class Reprojection {
   bool tryCandidate(Candidate& c) {
     TrackedFeature f;
     f.predicted_px = c.px;
-    f.p_world = c.p_world;
+    f.p_world = f.p_believed = c.p_world;
     bool ok = false;
     if (c.landmark) {
       f.origin = FeatureOrigin::landmark;
@@ -114,12 +114,21 @@ class Reprojection {
     } else {
       f.id = c.seed->id;
       f.keyframe_id = c.seed->keyframe_id;
+      f.depth_px = depthPx(*c.seed);
       f.origin = c.pass == Pass::converged ? FeatureOrigin::converged_seed : FeatureOrigin::unconverged_seed;
       ok = c.pass == Pass::converged ? alignSeed(*c.seed, f) : searchSeed(*c.seed, f);
     }
     if (!ok) f.status = FeatureStatus::not_aligned;
     (ok ? out_.features : out_.failed).push_back(f);
     return ok;
+  }
+
+  /// How far one sigma of a seed's inverse distance moves its projection, to first order.
+  Vec2 depthPx(const Seed& seed) const {
+    const SE3 T_cur_ref = frame_.T_cam_world * map_.findKeyframe(seed.keyframe_id)->T_cam_world.inverse();
+    // The point times its inverse distance projects to the same pixel and is linear in it.
+    const Vec3 q = T_cur_ref.rotation() * seed.anchor.f + seed.belief.mu * T_cur_ref.translation();
+    return map_.camera.projectJacobian(q) * T_cur_ref.translation() * std::sqrt(seed.belief.sigma2);
   }
 
   bool alignLandmark(const Landmark& landmark, TrackedFeature& f) {
@@ -188,8 +197,7 @@ class Reprojection {
     f.anchor.level = match.level;
     f.anchor.gradient_dir = match.gradient_dir;
     setMeasured(match.px, f);
-    // Along the line this depth agrees with the match: what is left is the error across, which informs
-    // the pose under either rule of the filter.
+    // The match taken at its word, for the next frame and for the map, under either rule of the filter.
     f.p_world = keyframe.T_cam_world.inverse() * (seed.anchor.f / inv_distance);
     return true;
   }

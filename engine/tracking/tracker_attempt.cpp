@@ -16,8 +16,7 @@ std::vector<PoseObservation> observationsOf(const std::vector<TrackedFeature>& f
   std::vector<PoseObservation> observations;
   observations.reserve(features.size());
   for (const TrackedFeature& f : features) {
-    observations.push_back({f.anchor.px, f.p_world, f.anchor.level, f.anchor.type, f.anchor.gradient_dir,
-                            f.origin == FeatureOrigin::unconverged_seed});
+    observations.push_back({f.anchor.px, f.p_believed, f.anchor.level, f.anchor.type, f.anchor.gradient_dir, f.depth_px});
   }
   return observations;
 }
