@@ -16,8 +16,8 @@ class Option;
 namespace svoscope {
 
 struct RunSettings {
-  std::string sequence, method = "svo", config;
-  std::vector<std::string> methods{"svo"};  ///< as chosen by --method, "all" written out; `method` is the first
+  std::string sequence, method = "it-svo", config;
+  std::vector<std::string> methods{"it-svo"};  ///< as chosen by --method, "all" written out; `method` is the first
   std::vector<std::string> assignments;  ///< "key=value"
   int start = 0;
   int max_frames = -1;
