@@ -83,7 +83,7 @@ TEST_F(CompareCommand, ATrajectoryIsOneMoreRun) {
   const Outcome outcome = shot(
       "run-to 39\nexpect runs has svo\nexpect runs has earlier\nexpect frame@earlier == 39\n"
       "expect start_frame@earlier == 5\nlayout Compare\nshot compare.png\n",
-      "--trajectory " + path("out/trajectory.txt") + "=earlier");
+      "--method svo --trajectory " + path("out/trajectory.txt") + "=earlier");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(fs::exists(folder / "shots/compare.png"));
 }
@@ -100,7 +100,7 @@ TEST_F(CompareCommand, ARecordingIsOneMoreRun) {
       "expect inliers > 50\nback 5\nexpect frame@svo == 15\nselect seed any\nlayout Compare\nshot "
       "a.png\n"
       "goto live\nrun-to 39\nexpect frame@svo == 39\nexpect tracked@before == 20\n",
-      "--with " + recording + "=before");
+      "--method svo --with " + recording + "=before");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   // A recording may also be what is opened first.
   test::writeText(

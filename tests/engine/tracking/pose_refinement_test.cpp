@@ -59,6 +59,32 @@ TEST(PoseRefinement, IsExactWithoutNoise) {
   EXPECT_LT(r.median_px, 1e-5);
 }
 
+TEST(PoseRefinement, DoubtOfDepthLeavesTheErrorAcross) {
+  // All points are believed at a wrong depth; depth_px says along which line that moves them.
+  const Pinhole camera = test::smallCamera();
+  const SE3 T_ref(so3Exp(Vec3(0.02, 0.03, 0)), Vec3(0.5, 0.2, -0.3));
+  Scene told(80), untold(80);
+  for (std::size_t i = 0; i < told.observations.size(); ++i) {
+    PoseObservation& o = told.observations[i];
+    const Vec3 q = T_ref * o.p_world;
+    const Vec3 wrong = T_ref.inverse() * (q * (i % 2 ? 1.25 : 0.85));
+    o.depth_px = 2 * (camera.project(kTruth * wrong) - camera.project(kTruth * o.p_world));
+    o.p_world = untold.observations[i].p_world = wrong;
+  }
+  const double with = distance(refine(told).T_cam_world), without = distance(refine(untold).T_cam_world);
+  EXPECT_LT(with, 0.3 * without);
+}
+
+TEST(PoseRefinement, AnEdgeletWithUnknownDepthAcrossItsGradientSaysNothing) {
+  Scene s(60);
+  s.makeEdgelets(30, 0);
+  for (std::size_t i = 0; i < s.observations.size(); i += 2) s.observations[i].gradient_dir = Vec2(0.5, -0.866).normalized();
+  Scene moved = s;
+  moved.observations[0].px += 30 * moved.observations[0].gradient_dir;
+  s.observations[0].depth_px = moved.observations[0].depth_px = 1e6 * s.observations[0].gradient_dir;
+  EXPECT_LT((refine(s).T_cam_world.inverse() * refine(moved).T_cam_world).log().norm(), 1e-6);
+}
+
 TEST(PoseRefinement, BearsThirtyPercentOutliers) {
   Scene s(150);
   s.addNoise(0.3);
