@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Taking over a local adjustment: what it refined, and what hangs on the keyframes it moved.
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <set>
 
 #include "engine/base/quantile.h"
 #include "engine/mapping/segment_refinement.h"
@@ -73,12 +74,12 @@ void rescaleSeeds(Keyframe& keyframe, double scale) {
 /// A segment follows its first view unless it was adjusted itself; its lines then settle it.
 void moveSegments(const AdjustmentResult& adjustment, const std::map<int, KeyframeChange>& changes,
                   const SegmentParameters& p, int iterations, Map& map) {
-  std::map<std::int64_t, bool> adjusted;
+  std::set<std::int64_t> adjusted;
   for (const AdjustmentEnd& end : adjustment.ends) {
     const auto it = map.segments.find(end.segment_id);
     if (it == map.segments.end()) continue;
     it->second.p_world[end.end] = end.p_world;
-    adjusted[end.segment_id] = true;
+    adjusted.insert(end.segment_id);
   }
   for (auto& [id, segment] : map.segments) {
     const auto first = changes.find(segment.views.front().keyframe_id);
