@@ -101,7 +101,7 @@ class Tracker {
   void lose(const std::string& reason);
   void finishRecord();
 
-  // Map changes (tracker_map.cpp).
+  // Map changes (tracker_map.cpp, tracker_seeds.cpp).
   void buildMap(const InitializerOutput& start);
   void commitSeedMatches(const std::vector<TrackedSeedMatch>& matches);
   void refineStructure();
