@@ -120,7 +120,7 @@ std::string associationText(const EvalOptions& o) {
 std::string alignmentText(const EvalOptions& o) {
   if (o.alignment == Alignment::none) return "none: positions as given";
   const std::string poses =
-      o.align_first > 0 ? fmt::format("the first {} matches", o.align_first) : "all matches";
+      o.align_first > 0 ? fmt::format("up to the first {} matches", o.align_first) : "all matches";
   const char* free = o.alignment == Alignment::se3 ? "rotation and translation"
                                                    : "rotation, translation and scale";
   return fmt::format("{}: {}, on {}", alignmentName(o.alignment), free, poses);
@@ -165,6 +165,10 @@ int runEval(const Arguments& arguments) {
     if (!result.ok()) {
       exit_code = reportError(result.error());  // the others are still worth having
     } else {
+      if (result.value().aligned_on < arguments.align_first) {
+        reportWarning(fmt::format("{}: there are only {} matches, aligned on all of them", estimate,
+                                  result.value().aligned_on));
+      }
       if (arguments.json) printJson(arguments, estimate, result.value());
       rows.push_back({estimate, std::move(result).value()});
     }

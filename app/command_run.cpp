@@ -124,6 +124,10 @@ int runOne(const Arguments& arguments, bool report, RunMetrics& metrics) {
       "# svoscope " SVOSCOPE_VERSION "\n" + parametersYaml(parameters.value(), arguments.run.method);
   const auto recorder = std::make_shared<Recorder>();
   if (arguments.record) options.observer = recorder;
+  if (arguments.depth_study) {
+    const Status possible = checkDepthStudy(arguments.run.sequence);  // now, not after the run
+    if (!possible.ok()) return reportError(possible.error());
+  }
   auto runner = arguments.run.open(options);
   if (!runner.ok()) return reportError(runner.error());
   RunWriter writer;
@@ -176,13 +180,15 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->type_name("DIR");
   command->add_flag("--sync", arguments->sync,
                     "Without threads: slower, the same result every time");
-  command->add_flag("--record", arguments->record, "Also record everything for the inspector: run.svoscope");
+  CLI::Option* record = command->add_flag("--record", arguments->record, "Also record everything for the inspector: run.svoscope");
   command->add_option("--record-quality", arguments->quality, "JPEG quality of the recorded images")
+      ->needs(record)
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_flag("--depth-study", arguments->depth_study,
-                    "Also hold both depth filters against true depth");
+  CLI::Option* study = command->add_flag("--depth-study", arguments->depth_study,
+                                         "Also hold both depth filters against true depth");
   command->add_option("--poses", arguments->poses, "Camera poses of the depth study")
+      ->needs(study)
       ->check(CLI::IsMember({"estimate", "groundtruth"}))
       ->capture_default_str();
   command->callback([arguments, &action] { action = [arguments] { return runRun(*arguments); }; });

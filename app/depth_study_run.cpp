@@ -10,6 +10,11 @@
 
 namespace svoscope {
 
+Status checkDepthStudy(const std::string& name) {
+  auto sequence = openSequence(name);
+  return sequence.ok() ? depthStudyPossible(*sequence.value()) : sequence.error();
+}
+
 int runDepthStudyCommand(const RunSettings& run, const std::string& poses_from, const std::string& out,
                          const std::vector<FrameRecord>& records) {
   auto sequence = openSequence(run.sequence);

@@ -21,10 +21,10 @@ Result<std::filesystem::path> writeTour(const std::filesystem::path& folder, con
       "layout Tracking\n"
       "shot 1-start.png\n"
       "run-to {}\n"
-      "select feature any\n"
+      "select feature any or none\n"
       "shot 2-tracking.png\n"
       "layout Seeds\n"
-      "select seed any\n"
+      "select seed any or none\n"
       "shot 3-seeds.png\n"
       "layout Evaluation\n"
       "shot 4-evaluation.png\n",

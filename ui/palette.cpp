@@ -88,6 +88,7 @@ ImU32 originColor(FeatureOrigin origin) {
 ImU32 featureColor(const FeatureView& feature) {
   if (feature.status == FeatureStatus::outlier) return okabe::vermillion;
   if (feature.status == FeatureStatus::not_aligned) return okabe::grey;
+  if (feature.status == FeatureStatus::followed) return okabe::purple;
   return originColor(feature.origin);
 }
 
@@ -182,6 +183,7 @@ const char* statusName(FeatureStatus status) {
     case FeatureStatus::inlier: return "Inlier";
     case FeatureStatus::outlier: return "Outlier";
     case FeatureStatus::not_aligned: return "Not aligned";
+    case FeatureStatus::followed: return "Followed, not in the pose";
   }
   return "";
 }

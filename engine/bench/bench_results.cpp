@@ -110,6 +110,7 @@ RunResult readRun(const fs::path& folder, int number, const SequenceFacts& facts
   run.record = *record;
   run.why = record->reason;
   readMetrics(folder, run.figures);
+  if (run.why.empty() && !run.figures.tracked) run.why = "metrics.json is missing or damaged";
   run.lost = lostTimes(folder);
   const auto trajectory = loadTrajectory(folder / "trajectory.txt");
   if (trajectory.ok() && run.why.empty())

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
@@ -129,17 +130,34 @@ Result<std::unique_ptr<Sequence>> ListSequence::open(ImageList list) {
   return std::unique_ptr<Sequence>(std::move(sequence));
 }
 
+cv::Mat ListSequence::toEightBits(const cv::Mat& image) {
+  if (image.depth() == CV_8U) return image;
+  if (sixteen_bit_scale_ == 0) {
+    // Cameras of 10 to 14 bits are stored as 16: the upper eight bits alone would leave few grey levels.
+    double brightest = 0;
+    cv::minMaxLoc(image, nullptr, &brightest);
+    double top = 1023;
+    while (top < brightest && top < 65535) top = 4 * top + 3;
+    sixteen_bit_scale_ = 255 / std::min(top, 65535.0);
+  }
+  cv::Mat eight;
+  image.convertTo(eight, CV_8U, sixteen_bit_scale_);
+  return eight;
+}
+
 Result<SequenceImage> ListSequence::read(int index) {
   const ImageEntry& entry = list_.entries.at(index);
-  auto image = readImageFile(entry.image, cv::IMREAD_GRAYSCALE);
+  auto image = readImageFile(entry.image, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
   if (!image) return image.error();
+  if (image.value().depth() != CV_8U && image.value().depth() != CV_16U)
+    return inputError("the pixels are neither 8-bit nor 16-bit integers", entry.image.string(), "convert the images to 8-bit grey");
   const Pinhole& p = list_.camera.pinhole;
   if (image.value().cols != p.width || image.value().rows != p.height)
     return inputError("the image is " + sizeText(image.value().cols, image.value().rows) +
                           " pixels, but " + list_.camera_source + " says " +
                           sizeText(p.width, p.height),
                       entry.image.string(), "use the calibration that belongs to these images");
-  return SequenceImage{index, entry.timestamp, image.value()};
+  return SequenceImage{index, entry.timestamp, toEightBits(image.value())};
 }
 
 Result<cv::Mat> ListSequence::readDepth(int index) {

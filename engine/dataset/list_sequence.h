@@ -42,8 +42,11 @@ class ListSequence : public Sequence {
 
  private:
   explicit ListSequence(ImageList list) : list_(std::move(list)) {}
+  /// Sixteen-bit images with the one scale of the sequence, chosen by its first image.
+  cv::Mat toEightBits(const cv::Mat& image);
 
   ImageList list_;
+  double sixteen_bit_scale_ = 0;  ///< 0: no such image yet
 };
 
 /// Decodes an image file; `flags` as for cv::imread. The error tells a missing from an empty, a

@@ -31,13 +31,16 @@ Error nothingMatches(const Trajectory& gt, const Trajectory& est, double max_dt)
   const bool apart =
       !gt.empty() && !est.empty() &&
       (gt.back().timestamp < est.front().timestamp || est.back().timestamp < gt.front().timestamp);
+  const bool empty = gt.empty() || est.empty();
   return inputError(
-      apart ? std::string("the timestamps do not overlap")
+      empty ? fmt::format("the {} has no pose", gt.empty() ? "ground truth" : "estimate")
+      : apart ? std::string("the timestamps do not overlap")
             : fmt::format("no timestamps match within {} s", max_dt),
       "association",
       fmt::format("the ground truth {}, the estimate {}; {}", range(gt), range(est),
-                  apart ? "are both of the same sequence? an offset between two clocks is --offset"
-                        : "a wider limit is --max-dt, an offset between two clocks --offset"));
+                  empty   ? "there is nothing to compare"
+                  : apart ? "are both of the same sequence? `svoscope eval` shifts clocks by --offset"
+                          : "`svoscope eval` takes a wider limit, --max-dt, and shifts clocks by --offset"));
 }
 
 }  // namespace

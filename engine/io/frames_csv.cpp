@@ -42,6 +42,7 @@ void addFunnel(std::vector<Column>& columns) {
   add("inlier_seeds", &Funnel::inlier_seeds);
   add("inlier_edgelets", &Funnel::inlier_edgelets);
   add("inlier_segments", &Funnel::inlier_segments);
+  add("followed_segments", &Funnel::followed_segments);
   add("required", &Funnel::required);
 }
 

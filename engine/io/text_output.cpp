@@ -53,6 +53,7 @@ Status makeFolder(const fs::path& folder) {
 
 Status LineFile::open(const fs::path& file) {
   file_ = file;
+  size_ = 0;
   errno = 0;
   out_.open(file, std::ios::binary | std::ios::trunc);
   if (!out_) return cannotWrite(file_, errno);
@@ -62,8 +63,16 @@ Status LineFile::open(const fs::path& file) {
 Status LineFile::write(const std::string& line) {
   errno = 0;
   out_ << line << '\n' << std::flush;
-  if (!out_) return cannotWrite(file_, errno);
-  return Done{};
+  if (out_) {
+    size_ += line.size() + 1;
+    return Done{};
+  }
+  const int reason = errno;
+  // A part of the line may have been written: readers refuse files that end in half a row.
+  out_.close();
+  std::error_code ec;
+  fs::resize_file(file_, size_, ec);
+  return cannotWrite(file_, reason);
 }
 
 }  // namespace svoscope

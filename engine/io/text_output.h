@@ -22,12 +22,14 @@ class LineFile {
  public:
   /// Creates or empties the file. Output error naming it.
   Status open(const std::filesystem::path& file);
-  /// Appends `line` and a line end. Output error, for example when the disk is full.
+  /// Appends `line` and a line end. Output error, for example when the disk is full; the file then ends
+  /// with the line before.
   Status write(const std::string& line);
 
  private:
   std::filesystem::path file_;
   std::ofstream out_;
+  std::uintmax_t size_ = 0;  ///< of the lines written
 };
 
 }  // namespace svoscope

@@ -67,15 +67,18 @@ void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
 }
 
 void Map::endSeeds(Keyframe& keyframe, SeedEnding ending) {
-  for (Seed& seed : keyframe.seeds) {
-    if (seed.ending == SeedEnding::none) {
-      seed.status = SeedStatus::rejected;
-      seed.ending = ending;
+  const auto end = [&](auto& seeds, auto& left) {
+    for (auto& seed : seeds) {
+      if (seed.ending == SeedEnding::none) {
+        seed.status = SeedStatus::rejected;
+        seed.ending = ending;
+      }
+      left.push_back({seed, keyframe.T_cam_world});
     }
-    orphans.push_back({seed, keyframe.T_cam_world});
-  }
-  keyframe.seeds.clear();
-  keyframe.segment_seeds.clear();
+    seeds.clear();
+  };
+  end(keyframe.seeds, orphans);
+  end(keyframe.segment_seeds, segment_orphans);
 }
 
 void Map::removeKeyframe(int id) {

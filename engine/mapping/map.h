@@ -84,6 +84,10 @@ struct OrphanSeed {
   Seed seed;
   SE3 T_cam_world;                   ///< of the removed keyframe
 };
+struct OrphanSegmentSeed {
+  SegmentSeed seed;
+  SE3 T_cam_world;
+};
 
 struct Map {
   Pinhole camera;
@@ -92,6 +96,7 @@ struct Map {
   std::unordered_map<std::int64_t, Landmark> landmarks;
   std::map<std::int64_t, SegmentLandmark> segments;
   std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
+  std::vector<OrphanSegmentSeed> segment_orphans;
   std::int64_t next_id = 0;                   ///< of landmarks, segments and seeds of both
   int next_keyframe_id = 0;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace svoscope {
 
@@ -109,7 +110,7 @@ void walkLine(const Line& line, int level, const EpipolarParameters& p, const Vi
 }
 
 struct Best {
-  double score = 1e30;
+  double score = std::numeric_limits<double>::infinity();  ///< no sample lay inside
   Vec2 px = Vec2::Zero();
 };
 
@@ -205,6 +206,7 @@ EpipolarMatch searchEpipolar(const EpipolarQuery& q, const EpipolarParameters& p
   Vec2 start = 0.5 * (toLevel(s.line.near, s.level) + toLevel(s.line.far, s.level));
   if (length >= p.short_line_px) {
     const Best best = scanLine(image, ScoreTemplate(s.patch), s.line, s.level, p);
+    if (!std::isfinite(best.score)) return match.outcome = SearchOutcome::out_of_view, match;
     match.score = best.score;
     if (best.score > p.max_score) return match;
     start = best.px;

@@ -33,6 +33,7 @@ void visitFunnel(R& funnel, F&& f) {
   f("inlier_seeds", funnel.inlier_seeds);
   f("inlier_edgelets", funnel.inlier_edgelets);
   f("inlier_segments", funnel.inlier_segments);
+  f("followed_segments", funnel.followed_segments);
   f("required", funnel.required);
 }
 

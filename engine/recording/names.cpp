@@ -32,7 +32,7 @@ const Names& namesOf<FeatureOrigin>() {
 
 template <>
 const Names& namesOf<FeatureStatus>() {
-  static const Names names{"inlier", "outlier", "not_aligned"};
+  static const Names names{"inlier", "outlier", "not_aligned", "followed"};
   return names;
 }
 

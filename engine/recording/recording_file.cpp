@@ -43,7 +43,10 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const fs::path& file)
   std::unique_ptr<RecordingFile> recording(new RecordingFile(file, std::move(database)));
   const Status known = recording->identify();
   if (!known.ok()) return known.error();
-  if (!recording->load()) return recording->damaged(recording->database_->problem());
+  if (!recording->load()) {
+    const bool by_sqlite = recording->database_->damaged();
+    return recording->damaged(by_sqlite ? recording->database_->problem() : "its tables hold what no run writes");
+  }
   if (recording->frames_.empty())
     return inputError("the recording has no frames", file.string(),
                       "the run ended before its first frames were written");
@@ -77,6 +80,11 @@ Status RecordingFile::identify() {
         fmt::format("written by a newer svoscope (format {}, this one reads up to {})", version,
                     kSchemaVersion),
         file_.string(), "update svoscope");
+  }
+  if (version < kSchemaVersion) {
+    return inputError(fmt::format("written by an older svoscope (format {}, this one reads {})", version,
+                                  kSchemaVersion),
+                      file_.string(), "record the run again");
   }
   // Larger than any recording's index, small against its images: pages are read in place.
   (void)database_->run("PRAGMA mmap_size = 1073741824");

@@ -10,7 +10,7 @@
 namespace svoscope {
 
 constexpr std::int64_t kRecordingId = 0x53564f53;  ///< PRAGMA application_id: "SVOS"
-constexpr std::int64_t kSchemaVersion = 1;  ///< PRAGMA user_version; grows when the tables change
+constexpr std::int64_t kSchemaVersion = 2;  ///< PRAGMA user_version; grows when the tables change
 constexpr int kSeedKeyInterval = 32;        ///< frames from one complete seed blob to the next
 
 /// Key of the n-th feature or seed update of a frame: those of a frame lie side by side, without an

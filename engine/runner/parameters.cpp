@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <charconv>
 #include <type_traits>
 
@@ -144,20 +145,20 @@ Status loadParameters(Parameters& parameters, const std::filesystem::path& file)
 
 std::string parametersYaml(const Parameters& parameters, const std::string& method) {
   std::string text = fmt::format("method: {}\n", method);
-  std::string group;
+  // The table may come back to a group; YAML allows each key once.
+  std::vector<std::pair<std::string, std::string>> groups;
   for (const ParameterView& view : listParameters(parameters)) {
     const auto dot = view.key.find('.');
     if (dot == std::string::npos) {
       text += fmt::format("{}: {}\n", view.key, view.value);
-      group.clear();
       continue;
     }
-    if (view.key.substr(0, dot) != group) {
-      group = view.key.substr(0, dot);
-      text += group + ":\n";
-    }
-    text += fmt::format("  {}: {}\n", view.key.substr(dot + 1), view.value);
+    const std::string name = view.key.substr(0, dot);
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {name, ""});
+    group->second += fmt::format("  {}: {}\n", view.key.substr(dot + 1), view.value);
   }
+  for (const auto& [name, lines] : groups) text += name + ":\n" + lines;
   return text;
 }
 

@@ -22,7 +22,7 @@ FeatureView segmentFeatureView(const TrackedSegment& s, const Tracker& tracker) 
   v.id = s.id;
   v.type = FeatureType::segment;
   v.origin = s.origin;
-  v.status = s.status;
+  v.status = s.status == FeatureStatus::inlier && !s.informs ? FeatureStatus::followed : s.status;
   v.level = static_cast<std::uint8_t>(s.anchor.level);
   const bool aligned = s.status != FeatureStatus::not_aligned;
   v.px = (aligned ? s.anchor.px[0] : s.predicted[0]).cast<float>();
@@ -41,11 +41,11 @@ FeatureView segmentFeatureView(const TrackedSegment& s, const Tracker& tracker) 
   return v;
 }
 
-SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, const Tracker& tracker,
+SeedView segmentSeedView(const SegmentSeed& seed, const Tracker& tracker,
                          const SeedPlacement& placement, const cv::Mat& depth) {
   SeedView v;
   v.id = seed.id;
-  v.keyframe_id = keyframe.id;
+  v.keyframe_id = seed.keyframe_id;
   v.type = FeatureType::segment;
   v.status = seed.status;
   v.ending = seed.ending;

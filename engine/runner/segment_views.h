@@ -9,7 +9,7 @@ namespace svoscope {
 
 FeatureView segmentFeatureView(const TrackedSegment& segment, const Tracker& tracker);
 /// `depth`: true depth image of the keyframe, may be empty.
-SeedView segmentSeedView(const SegmentSeed& seed, const Keyframe& keyframe, const Tracker& tracker,
+SeedView segmentSeedView(const SegmentSeed& seed, const Tracker& tracker,
                          const SeedPlacement& placement, const cv::Mat& depth);
 MapPointView segmentPointView(const SegmentLandmark& segment);
 

@@ -121,7 +121,7 @@ const cv::Mat& SnapshotBuilder::depthOf(const Keyframe& keyframe) {
 std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tracker& tracker) {
   auto views = std::make_shared<std::vector<SeedView>>();
   const auto& keyframes = tracker.map().keyframes;
-  std::size_t count = tracker.map().orphans.size();
+  std::size_t count = tracker.map().orphans.size() + tracker.map().segment_orphans.size();
   for (const auto& [id, keyframe] : keyframes) count += keyframe.seeds.size() + keyframe.segment_seeds.size();
   views->reserve(count);
   const SE3 T_cam_world = tracker.record().T_world_cam.inverse();
@@ -137,10 +137,12 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
     const cv::Mat& depth = depthOf(keyframe);
     for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, tracker, placement, depth));
     for (const SegmentSeed& seed : keyframe.segment_seeds)
-      views->push_back(segmentSeedView(seed, keyframe, tracker, placement, depth));
+      views->push_back(segmentSeedView(seed, tracker, placement, depth));
   }
   for (const OrphanSeed& orphan : tracker.map().orphans)
     views->push_back(seedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
+  for (const OrphanSegmentSeed& orphan : tracker.map().segment_orphans)
+    views->push_back(segmentSeedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
   return views;
 }
 

@@ -45,6 +45,7 @@ struct Funnel {
   int inlier_seeds = 0;       ///< converged and unconverged
   int inlier_edgelets = 0;    ///< of the inliers, edgelets
   int inlier_segments = 0;
+  int followed_segments = 0;  ///< of the matched, kept out of the pose: measured for their depth only
   int required = 0;           ///< inliers below this: lost
 };
 

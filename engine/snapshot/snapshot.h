@@ -25,6 +25,7 @@ enum class FeatureStatus : std::uint8_t {
   inlier,
   outlier,      ///< aligned, but rejected by pose refinement
   not_aligned,  ///< projected into the image, alignment failed
+  followed,     ///< segments: aligned and near its line, kept out of the pose as its depth is in doubt
 };
 
 /// One feature of the current frame. Pixels are of the rectified image at level 0.

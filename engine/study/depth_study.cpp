@@ -154,6 +154,17 @@ class Study {
 
 }  // namespace
 
+Status depthStudyPossible(Sequence& sequence) {
+  if (sequence.groundTruth().empty())
+    return inputError("has no ground truth, which a depth study needs for the scale", sequence.name(),
+                      "use a sequence with ground truth and depth images");
+  for (int i = 0; i < sequence.size(); ++i) {
+    const Result<cv::Mat> depth = sequence.readDepth(i);
+    if (depth.ok() && !depth.value().empty()) return Done{};
+  }
+  return inputError("has no depth to hold the seeds against", sequence.name(), "use a sequence with depth images");
+}
+
 Result<DepthStudyResult> runDepthStudy(Sequence& sequence, const DepthStudyOptions& options) {
   return Study(sequence, options).run();
 }

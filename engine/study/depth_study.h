@@ -60,6 +60,9 @@ struct DepthStudyResult {
   std::vector<DepthStudyRow> rows;   ///< KL, JS fuse only, JS weight only, JS both
 };
 
+/// Input error if the sequence lacks ground truth or depth.
+Status depthStudyPossible(Sequence& sequence);
+
 /// Input error if the sequence has no depth or no frame has a pose.
 Result<DepthStudyResult> runDepthStudy(Sequence& sequence, const DepthStudyOptions& options);
 

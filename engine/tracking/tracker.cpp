@@ -211,7 +211,11 @@ void Tracker::finishRecord() {
     funnel.inlier_edgelets += f.anchor.type == FeatureType::edgelet;
   }
   for (const TrackedSegment& s : frame_.segments) {
-    if (s.status != FeatureStatus::inlier || !s.informs) continue;
+    if (s.status != FeatureStatus::inlier) continue;
+    if (!s.informs) {
+      ++funnel.followed_segments;
+      continue;
+    }
     ++funnel.inlier_segments;
     ++(s.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
   }

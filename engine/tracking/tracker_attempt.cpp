@@ -92,6 +92,11 @@ Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from, int 
 bool Tracker::accept(Attempt& a, int required) {
   const int matched = static_cast<int>(a.reprojected.features.size() + a.segments.segments.size());
   const int inliers = a.pose.inliers + a.pose.segment_inliers;
+  // Segments that are followed for their depth only have no say in the pose, so none in its failure.
+  const auto& segments = a.segments.segments;
+  const int followed = static_cast<int>(
+      std::count_if(segments.begin(), segments.end(), [](const TrackedSegment& s) { return !s.informs; }));
+  const int informing = matched - followed;
   record_.align_rmse = a.aligned.rmse;
   record_.gain = a.aligned.gain;
   record_.offset = a.aligned.offset;
@@ -110,9 +115,9 @@ bool Tracker::accept(Attempt& a, int required) {
     a.failure = fmt::format("{} features matched of {} tried, {} required", matched, funnel.tried, required);
   } else if (!a.pose.ok || inliers < required) {
     a.failure = fmt::format("{} inliers of {} matched, {} required", inliers, matched, required);
-  } else if (inliers < parameters_.quality.min_inlier_fraction * matched) {
+  } else if (inliers < parameters_.quality.min_inlier_fraction * informing) {
     a.failure = fmt::format("{} inliers are under {:.0f} % of {} matched", inliers,
-                            100 * parameters_.quality.min_inlier_fraction, matched);
+                            100 * parameters_.quality.min_inlier_fraction, informing);
   }
   if (!a.failure.empty()) return false;
   for (std::size_t i = 0; i < a.reprojected.features.size(); ++i) {

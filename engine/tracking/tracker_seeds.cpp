@@ -31,6 +31,7 @@ void Tracker::dropEndedSeeds() {
     if (Keyframe* keyframe = map_.findKeyframe(id)) keyframe->last_local_frame = frame_.index;
   }
   map_.orphans.clear();
+  map_.segment_orphans.clear();
   for (auto& [id, keyframe] : map_.keyframes) {
     auto& seeds = keyframe.seeds;
     if (frame_.index - std::max(keyframe.last_local_frame, keyframe.frame_index) > kSeedMemoryFrames)

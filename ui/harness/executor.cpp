@@ -122,7 +122,16 @@ Status Executor::showRun(const ScriptCommand& c) {
 }
 
 Status Executor::select(const ScriptCommand& c) {
-  const Words& words = c.arguments;
+  Words words = c.arguments;
+  if (words.size() == 4 && words[1] == "any" && words[2] == "or" && words[3] == "none") {
+    words.resize(2);
+    const Status found = selectOne(words, c);
+    return found ? found : stage_.target.selectNothing();
+  }
+  return selectOne(words, c);
+}
+
+Status Executor::selectOne(const Words& words, const ScriptCommand& c) {
   std::vector<double> numbers;
   for (std::size_t i = 1; i < words.size(); ++i) {
     const Result<double> number = words[i] == "any" ? Result<double>(-1) : toNumber(words[i]);

@@ -36,6 +36,7 @@ class Executor {
   Status back(const ScriptCommand& c);
   Status gotoFrame(const ScriptCommand& c);
   Status select(const ScriptCommand& c);
+  Status selectOne(const Words& words, const ScriptCommand& c);
   Status showRun(const ScriptCommand& c);
   Status panel(const ScriptCommand& c) { return stage_.target.showPanel(joined(c.arguments)); }
   Status layout(const ScriptCommand& c) { return stage_.target.setLayout(joined(c.arguments)); }

@@ -23,7 +23,7 @@ constexpr Syntax kSyntax[] = {
     {"goto", "N|live", 1, 1, "view a processed frame, or follow the engine"},
     {"reset", "", 0, 0, "start the run again"},
     {"run", "NAME", 1, -1, "make another open run the current one, by name or number"},
-    {"select", "feature ID|seed ID|at X Y|none", 1, 3, "an ID may be `any`; X Y are image pixels"},
+    {"select", "feature ID|seed ID|at X Y|none", 1, 4, "an ID may be `any` or `any or none`; X Y are image pixels"},
     {"panel", "NAME", 1, -1, "show this panel alone; `panel all` shows the layout again"},
     {"layout", "NAME", 1, -1, "switch to a layout"},
     {"click", "LABEL", 1, -1, "press and release the left button on a widget"},

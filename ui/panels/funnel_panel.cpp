@@ -62,6 +62,8 @@ void trackingFunnel(const FrameRecord& r) {
   valueRow("Inliers", format("%d landmarks, %d seeds", f.inlier_landmarks, f.inlier_seeds));
   const int corners = std::max(0, f.inliers - f.inlier_edgelets - f.inlier_segments);
   valueRow("Of type", format("%d corners, %d edgelets, %d segments", corners, f.inlier_edgelets, f.inlier_segments));
+  if (f.followed_segments)
+    valueRow("Followed", format("%d segments, matched but kept out of the pose", f.followed_segments));
   valueRow("Required", format("%d inliers", f.required));
   valueRow("Sparse alignment", format("%d patches, RMSE %.1f levels", f.aligned_sparse, r.align_rmse));
   valueRow("Reprojection", format("%.2f px median", r.reprojection_px));

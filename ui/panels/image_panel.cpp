@@ -107,11 +107,12 @@ struct LegendItem {
 };
 
 std::vector<LegendItem> legendItems(const Snapshot& s, const ImageOptions& o) {
-  int counts[4] = {}, outliers = 0, failed = 0;
+  int counts[4] = {}, outliers = 0, failed = 0, followed = 0;
   for (const FeatureView& f : s.features) {
     if (!shows(o, f)) continue;
     if (f.status == FeatureStatus::outlier) ++outliers;
     else if (f.status == FeatureStatus::not_aligned) ++failed;
+    else if (f.status == FeatureStatus::followed) ++followed;
     else ++counts[static_cast<int>(f.origin)];
   }
   std::vector<LegendItem> items;
@@ -121,6 +122,7 @@ std::vector<LegendItem> legendItems(const Snapshot& s, const ImageOptions& o) {
     items.push_back({o.color_by == ColorBy::status ? okabe::green : originColor(origin), Swatch::square,
                      format("%s %d", originName(origin), counts[i])});
   }
+  if (followed) items.push_back({okabe::purple, Swatch::square, format("Followed %d", followed)});
   if (outliers) items.push_back({okabe::vermillion, Swatch::cross, format("Outlier %d", outliers)});
   if (failed) items.push_back({okabe::grey, Swatch::ring, format("Not aligned %d", failed)});
   return items;

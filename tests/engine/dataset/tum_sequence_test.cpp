@@ -116,6 +116,21 @@ TEST(TumSequence, DamagedImagesAreErrorsOfTheirFrameOnly) {
   EXPECT_THAT(openingError(folder / "walk"), HasSubstr("2.png")) << "no readable image at all";
 }
 
+TEST(TumSequence, SixteenBitImagesKeepTheirSignificantBits) {
+  TemporaryFolder folder;
+  writeTinyTum(folder / "walk");
+  for (int i = 0; i < 3; ++i) {
+    cv::Mat image(24, 32, CV_16UC1, cv::Scalar(1000.0 * (i + 1)));
+    image.at<std::uint16_t>(23, 31) = i == 2 ? 65535 : 4000;  // twelve bits, and later one that is saturated
+    cv::imwrite((folder / "walk/rgb" / (std::to_string(i) + ".png")).string(), image);
+  }
+  auto opened = openSequence((folder / "walk").string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  EXPECT_EQ(grayOf(*opened.value(), 2), 187) << "the scale of the first image holds for all";
+  EXPECT_EQ(grayOf(*opened.value(), 0), 62);
+  EXPECT_EQ(opened.value()->read(2).value().gray.at<std::uint8_t>(23, 31), 255);
+}
+
 TEST(TumSequence, TruncatedJpegIsNotMistakenForAnImage) {
   TemporaryFolder folder;
   writeTinyTum(folder / "walk");

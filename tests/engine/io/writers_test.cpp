@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
@@ -90,6 +93,23 @@ TEST(TextOutput, AFullDiskIsNoticed) {
   const Status status = lines.write("x");
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().what.find("No space"), std::string::npos);
+}
+
+TEST(TextOutput, AFileThatCannotGrowEndsWithAWholeLine) {
+  const test::TemporaryFolder folder;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{1000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  LineFile lines;
+  ASSERT_TRUE(lines.open(folder / "t.txt").ok());
+  int written = 0;
+  while (written < 100 && lines.write("a line of twenty-six bytes").ok()) ++written;
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(written, 37);  // 27 bytes each
+  EXPECT_EQ(fs::file_size(folder / "t.txt"), 37u * 27u);
 }
 
 /// Fields of a CSV row; commas inside quotes do not count.

@@ -74,6 +74,12 @@ TEST_F(RecordingFileTest, ANewerFormatAsksForANewerProgram) {
   expectInputError(file, "written by a newer svoscope (format 99");
 }
 
+TEST_F(RecordingFileTest, AnOlderFormatAsksForANewRecording) {
+  const fs::path file = copy();
+  ASSERT_TRUE(change(file, "PRAGMA user_version = 1"));
+  expectInputError(file, "written by an older svoscope (format 1,");
+}
+
 TEST_F(RecordingFileTest, ATruncatedFileSaysHowMuchIsLeft) {
   const fs::path file = copy();
   const auto size = fs::file_size(file);

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <yaml-cpp/yaml.h>
+
 #include <set>
 
 #include "tests/support/support.h"
@@ -96,6 +98,20 @@ TEST(Parameters, YamlRoundTrip) {
   ASSERT_TRUE(status.ok()) << status.error().message();
   EXPECT_EQ(parametersYaml(loaded, "svo"), parametersYaml(parameters, "svo"));
   EXPECT_NE(parametersYaml(loaded, "svo"), parametersYaml({}, "svo"));
+}
+
+TEST(Parameters, YamlNamesEachGroupOnce) {
+  const YAML::Node root = YAML::Load(parametersYaml({}, "svo"));
+  std::set<std::string> names;
+  for (const auto& entry : root) EXPECT_TRUE(names.insert(entry.first.as<std::string>()).second) << entry.first;
+  std::size_t values = 0;
+  for (const ParameterView& view : listParameters({})) {
+    const auto dot = view.key.find('.');
+    const YAML::Node value = dot == std::string::npos ? root[view.key] : root[view.key.substr(0, dot)][view.key.substr(dot + 1)];
+    EXPECT_TRUE(value.IsScalar()) << view.key;
+    values += value.IsScalar();
+  }
+  EXPECT_EQ(values, listParameters({}).size());
 }
 
 TEST(Parameters, FilesMaySetAFew) {
