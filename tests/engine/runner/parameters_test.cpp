@@ -114,6 +114,11 @@ TEST(Parameters, YamlNamesEachGroupOnce) {
   EXPECT_EQ(values, listParameters({}).size());
 }
 
+TEST(Parameters, EveryKeyIsInTheDocs) {
+  const std::string page = test::readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs/parameters.md");
+  for (const ParameterView& view : listParameters({})) EXPECT_THAT(page, HasSubstr("| `" + view.key + "` |"));
+}
+
 TEST(Parameters, FilesMaySetAFew) {
   EXPECT_EQ(loadError("reproject:\n  cell_px: 40\nsearch: {sigmas: 2}\n"), "ok");
   EXPECT_EQ(loadError("{}"), "ok");
