@@ -21,7 +21,7 @@ int OccupancyGrid::cellOf(const Vec2& px) const {
 }
 
 int scaledCell(int cell_px, int image_width) {
-  return std::max(8, static_cast<int>(std::lround(cell_px * std::max(1.0, std::sqrt(image_width / 640.0)))));
+  return std::max(8, static_cast<int>(std::lround(cell_px * std::sqrt(image_width / 640.0))));
 }
 
 double cornerScore(const cv::Mat& image, int x, int y) {

@@ -214,8 +214,10 @@ class Adjustment {
 }  // namespace
 
 AdjustmentResult adjustLocally(const AdjustmentProblem& problem, const LocalAdjustmentParameters& p) {
-  if (problem.empty() || problem.points.size() < 10) return {};
-  return Adjustment(problem, p).run();
+  AdjustmentResult result;
+  if (!problem.empty() && problem.points.size() >= 10) result = Adjustment(problem, p).run();
+  result.newest = problem.newest;
+  return result;
 }
 
 }  // namespace svoscope

@@ -76,12 +76,14 @@ struct AdjustmentProblem {
   std::vector<AdjustmentLineView> line_views;
   std::vector<AdjustmentDepth> depths;
   bool timed = false;                          ///< apply max_time_ms
+  int newest = -1;                             ///< id of the keyframe it was built around
 
   bool empty() const { return observations.empty(); }
 };
 
 struct AdjustmentResult {
   bool ok = false;
+  int newest = -1;                             ///< of the problem; -1: there was none
   std::vector<AdjustmentKeyframe> keyframes;   ///< as in the problem, poses refined
   std::vector<AdjustmentPoint> points;
   std::vector<AdjustmentEnd> ends;

@@ -65,6 +65,7 @@ struct Keyframe {
   PyramidPtr pyramid;
   SE3 T_cam_world;
   double median_depth = 1, min_depth = 0.5;   ///< z of its features, map units
+  double scale = 1;                           ///< product of the factors its surroundings were scaled by
   std::vector<std::int64_t> landmarks;        ///< seen in it
   std::vector<Seed> seeds;
   std::vector<std::int64_t> segments;         ///< segment landmarks seen in it

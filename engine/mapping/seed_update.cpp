@@ -123,6 +123,8 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& para
   result.keyframe_id = job.new_seeds.keyframe_id;
   result.median_depth = job.new_seeds.median_depth;
   result.min_depth = job.new_seeds.min_depth;
+  for (const JobKeyframe& k : job.keyframes) result.scales.push_back({k.id, k.scale});
+  if (job.new_seeds.wanted) result.scales.push_back({job.new_seeds.keyframe_id, job.new_seeds.scale});
   result.measurements.reserve(job.seeds.size());
   for (const JobSeed& seed : job.seeds) {
     const JobKeyframe& owner = job.keyframes[seed.keyframe_slot];

@@ -31,6 +31,13 @@ struct JobKeyframe {
   PyramidPtr pyramid;
   SE3 T_cam_world;
   int frame_index = -1;
+  double scale = 1;          ///< Keyframe::scale when the job was made
+};
+
+/// The scale in which the measurements of a keyframe's seeds are given.
+struct JobScale {
+  int keyframe_id = -1;
+  double scale = 1;
 };
 
 struct JobSeed {
@@ -46,6 +53,7 @@ struct NewSeedRequest {
   int keyframe_id = -1;
   OccupancyGrid occupied;
   double median_depth = 1, min_depth = 0.5;
+  double scale = 1;          ///< Keyframe::scale when the job was made
 };
 
 struct MappingJob {
@@ -85,6 +93,7 @@ struct MappingResult {
   std::vector<NewSeed> new_seeds;
   SegmentJobResult segments;
   double median_depth = 1, min_depth = 0.5;
+  std::vector<JobScale> scales;  ///< of the keyframes that own the seeds measured and found
   AdjustmentResult adjustment;
   double time_ms = 0;
 };

@@ -163,6 +163,11 @@ double triangulateInverseDistance(const Pinhole& camera, const SE3& T_cur_ref, c
   return n > 0 ? A.dot(b) / n : -1.0;
 }
 
+double parallaxAt(const SE3& T_cur_ref, const Vec3& f_ref, double inv_distance) {
+  const Vec3 f_back = T_cur_ref.quaternion() * f_ref, q = f_back + inv_distance * T_cur_ref.translation();
+  return std::atan2(f_back.cross(q).norm(), f_back.dot(q));
+}
+
 double inverseDistanceSigma(const SE3& T_cur_ref, const Vec3& f_ref, double inv_distance,
                             double pixel_noise, double focal) {
   const double px_angle = 2.0 * std::atan(0.5 * pixel_noise / focal);

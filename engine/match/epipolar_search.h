@@ -71,6 +71,9 @@ struct ProfileSample {
 std::vector<ProfileSample> scoreProfile(const EpipolarQuery& query,
                                         const EpipolarParameters& parameters);
 
+/// Angle at the point between the rays of the two cameras, radians; the point lies along f_ref.
+double parallaxAt(const SE3& T_cur_ref, const Vec3& f_ref, double inv_distance);
+
 /// Inverse distance along f_ref at which the point projects closest to `px_cur` (least squares on
 /// the unit plane). Negative or infinite for diverging rays.
 double triangulateInverseDistance(const Pinhole& camera, const SE3& T_cur_ref, const Vec3& f_ref,

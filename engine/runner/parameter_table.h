@@ -37,6 +37,8 @@ void visitTracking(P& p, F&& f) {
   f(ParameterInfo{"pose.edgelet_sigma", "", "noise of an edgelet relative to a corner", 0.1, 20}, t.pose.edgelet_sigma);
   f(ParameterInfo{"keyframe.enough_landmarks", "", "no keyframe above", 10, 2000}, t.keyframe.enough_landmarks);
   f(ParameterInfo{"keyframe.few_landmarks", "", "keyframe at once below", 0, 2000}, t.keyframe.few_landmarks);
+  f(ParameterInfo{"keyframe.still_px", "px", "no keyframe below this motion, at 640 px width, and the next", 0, 100}, t.keyframe.still_px);
+  f(ParameterInfo{"keyframe.still_distance", "", "no keyframe below this distance over median depth, and the one before", 0, 1}, t.keyframe.still_distance);
   f(ParameterInfo{"keyframe.min_frames", "", "frames between keyframes", 1, 1000}, t.keyframe.min_frames);
   f(ParameterInfo{"keyframe.min_displacement_px", "px", "median motion since the last keyframe, at 640 px width", 0, 500}, t.keyframe.min_displacement_px);
   f(ParameterInfo{"keyframe.min_angle_deg", "deg", "rotation to the nearest keyframe", 0, 180}, t.keyframe.min_angle_deg);

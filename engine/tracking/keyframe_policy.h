@@ -11,7 +11,9 @@ namespace svoscope {
 
 struct KeyframeParameters {
   int enough_landmarks = 120;      ///< above: no keyframe
-  int few_landmarks = 70;          ///< below: keyframe at once
+  int few_landmarks = 70;          ///< below: keyframe at once, unless the camera stands:
+  double still_px = 4;             ///< median displacement below, px at 640 px width ...
+  double still_distance = 0.01;    ///< ... and translation to a local keyframe over median depth below
   int min_frames = 2;              ///< since the last keyframe
   double min_displacement_px = 40; ///< median displacement of shared landmarks, px at 640 px width
   double min_angle_deg = 20;       ///< or at least this rotation ...

@@ -43,7 +43,8 @@ void Tracker::reset() {
   seed_updates_.clear();
   places_.clear();
   lost_frames_ = 0;
-  last_keyframe_frame_ = latest_keyframe_ = -1;
+  last_keyframe_frame_ = latest_keyframe_ = awaited_adjustment_ = -1;
+  adjustment_wanted_ = false;
 }
 
 const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& gray) {

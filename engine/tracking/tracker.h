@@ -56,7 +56,7 @@ class Tracker {
   /// Work for the mapping thread caused by the last frame, if any.
   std::optional<MappingJob> takeMappingJob();
   /// Applies what the mapping thread found, also for an older frame.
-  void applyMapping(const MappingResult& result);
+  void applyMapping(MappingResult result);
   /// Forgets map and motion, keeps the parameters.
   void reset();
 
@@ -110,7 +110,10 @@ class Tracker {
   void promoteFeature(TrackedFeature& feature, Keyframe& keyframe);
   void requestSeeds(const Keyframe& keyframe);
   void requestMeasurements();
+  void bringToScale(MappingResult& result) const;
+  void addSeeds(Keyframe& keyframe, const MappingResult& result);
   void limitKeyframes();
+  void requestAdjustment();                                  ///< tracker_adjustment.cpp
   void applyAdjustment(const AdjustmentResult& adjustment);  ///< tracker_adjustment.cpp
   void dropEndedSeeds();
   bool measureSeed(Seed& seed, const SeedMeasurement& m);
@@ -152,6 +155,8 @@ class Tracker {
   bool inspected_ = false;
   int last_keyframe_frame_ = -1, lost_frames_ = 0;
   int latest_keyframe_ = -1;
+  bool adjustment_wanted_ = false;  ///< a keyframe came after the last problem was built
+  int awaited_adjustment_ = -1;     ///< newest keyframe of the problem that is being solved; -1: none
   bool timed_ = false;
 };
 

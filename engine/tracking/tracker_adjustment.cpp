@@ -21,6 +21,11 @@ struct KeyframeChange {
   Vec3 moved(const Vec3& p_world) const {
     return T_cam_world_new.inverse() * (scale * (T_cam_world_old * p_world));
   }
+  /// T_cam_world of another camera that goes along.
+  SE3 followed(const SE3& T_cam_world) const {
+    const SE3 T_cam_kf = T_cam_world * T_cam_world_old.inverse();
+    return SE3(T_cam_kf.quaternion(), scale * T_cam_kf.translation()) * T_cam_world_new;
+  }
 };
 
 /// The adjustment leaves the scale free where no keyframe holds it; how far the landmarks of a keyframe
@@ -52,6 +57,26 @@ std::map<int, KeyframeChange> changesBy(const AdjustmentResult& adjustment, cons
   return changes;
 }
 
+/// Keyframes taken while the adjustment was computed go along with the newest one it knew.
+void addYounger(const Map& map, std::map<int, KeyframeChange>& changes) {
+  const auto [newest, by] = *changes.rbegin();
+  for (auto it = map.keyframes.upper_bound(newest); it != map.keyframes.end(); ++it)
+    changes[it->first] = {it->second.T_cam_world, by.followed(it->second.T_cam_world), by.scale};
+}
+
+/// Landmarks that were no part of the problem follow the keyframe that saw them first.
+void moveLandmarks(const AdjustmentResult& adjustment, const std::map<int, KeyframeChange>& changes, Map& map) {
+  std::set<std::int64_t> adjusted;
+  for (const AdjustmentPoint& p : adjustment.points) {
+    adjusted.insert(p.id);
+    if (Landmark* landmark = map.find(p.id)) landmark->p_world = p.p_world;
+  }
+  for (auto& [id, landmark] : map.landmarks) {
+    const auto first = changes.find(landmark.observations.front().keyframe_id);
+    if (first != changes.end() && !adjusted.count(id)) landmark.p_world = first->second.moved(landmark.p_world);
+  }
+}
+
 void rescale(Belief& belief, double scale) {
   belief.mu /= scale;
   belief.sigma2 /= scale * scale;
@@ -67,6 +92,7 @@ void rescaleSeeds(Keyframe& keyframe, double scale) {
     for (Belief& belief : seed.belief) rescale(belief, scale);
     seed.range /= scale;
   }
+  keyframe.scale *= scale;
   keyframe.median_depth *= scale;
   keyframe.min_depth *= scale;
 }
@@ -99,19 +125,32 @@ void moveSegments(const AdjustmentResult& adjustment, const std::map<int, Keyfra
 
 }  // namespace
 
+/// One at a time: a problem built while another is being solved holds the poses of before it, and would put
+/// them back.
+void Tracker::requestAdjustment() {
+  if (!adjustment_wanted_ || awaited_adjustment_ >= 0) return;
+  adjustment_wanted_ = false;
+  const MappingParameters& p = parameters_.mapping;
+  if (!p.local_ba.enabled) return;
+  job_->adjustment = localProblem(map_, latest_keyframe_, p.local_ba, p.segments);
+  job_->adjustment.timed = timed_;
+  job_->adjustment.newest = latest_keyframe_;
+  if (!job_->adjustment.empty()) awaited_adjustment_ = latest_keyframe_;
+}
+
 /// Takes over refined poses, points and segments; seeds and the current frame follow their keyframes,
 /// so that frame and map stay consistent.
 void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
+  if (adjustment.newest == awaited_adjustment_) awaited_adjustment_ = -1;
   if (!adjustment.ok) return;
-  const std::map<int, KeyframeChange> changes = changesBy(adjustment, map_);
+  std::map<int, KeyframeChange> changes = changesBy(adjustment, map_);
   if (changes.empty()) return;
+  addYounger(map_, changes);
+  moveLandmarks(adjustment, changes, map_);
   for (const auto& [id, change] : changes) {
     Keyframe& keyframe = *map_.findKeyframe(id);
     keyframe.T_cam_world = change.T_cam_world_new;
     if (change.scale != 1) rescaleSeeds(keyframe, change.scale);
-  }
-  for (const AdjustmentPoint& p : adjustment.points) {
-    if (Landmark* landmark = map_.find(p.id)) landmark->p_world = p.p_world;
   }
   moveSegments(adjustment, changes, parameters_.mapping.segments, parameters_.quality.structure_iterations, map_);
   for (const AdjustmentResult::Outlier& o : adjustment.outliers) map_.removeObservation(o.landmark_id, o.keyframe_id);
@@ -120,12 +159,8 @@ void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
   }
   // The frame goes along with the newest keyframe of the window.
   const KeyframeChange& newest = changes.rbegin()->second;
-  const auto follow = [&newest](const SE3& T_cam_world) {
-    const SE3 T_cam_kf = T_cam_world * newest.T_cam_world_old.inverse();
-    return SE3(T_cam_kf.quaternion(), newest.scale * T_cam_kf.translation()) * newest.T_cam_world_new;
-  };
-  frame_.T_cam_world = follow(frame_.T_cam_world);
-  T_last_good_ = follow(T_last_good_);
+  frame_.T_cam_world = newest.followed(frame_.T_cam_world);
+  T_last_good_ = newest.followed(T_last_good_);
   T_velocity_ = SE3(T_velocity_.quaternion(), newest.scale * T_velocity_.translation());
   for (TrackedFeature& f : frame_.features) {
     if (f.origin == FeatureOrigin::landmark) {

@@ -113,9 +113,7 @@ void Tracker::insertKeyframe(const std::string& reason) {
   event(EventKind::keyframe, fmt::format("keyframe {}: {}", id, reason));
   limitKeyframes();
   requestSeeds(keyframe);
-  if (!parameters_.mapping.local_ba.enabled) return;
-  job_->adjustment = localProblem(map_, id, parameters_.mapping.local_ba, parameters_.mapping.segments);
-  job_->adjustment.timed = timed_;
+  adjustment_wanted_ = true;
 }
 
 void Tracker::limitKeyframes() {

@@ -2,6 +2,7 @@
 // The tracker's seeds: measured by itself, given to the mapping thread to be measured, and ended.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/tracking/tracker.h"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr std::size_t kMostJobSeeds = 800;
 constexpr std::size_t kOlderViews = 3;
 constexpr int kSeedMemoryFrames = 60;
+constexpr double kDegree = M_PI / 180.0;
 
 }  // namespace
 
@@ -77,7 +79,12 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
       m.x = triangulateInverseDistance(map_.camera, T_cur_ref, seed->anchor.f, feature->anchor.px);
       m.tau = inverseDistanceSigma(T_cur_ref, seed->anchor.f, m.x,
                                    std::max(parameters_.mapping.search.pixel_noise, frame_.noise_px), map_.camera.focal());
-      if (feature->status != FeatureStatus::inlier || !(m.x > 0)) m.outcome = SearchOutcome::no_match;
+      const bool parallax = parallaxAt(T_cur_ref, seed->anchor.f, seed->belief.mu) >
+                            parameters_.mapping.search.min_parallax_deg * kDegree;
+      // Without a baseline the sign of x is chance, and no evidence against the seed.
+      if (feature->status != FeatureStatus::inlier) m.outcome = SearchOutcome::no_match;
+      else if (!parallax) m.outcome = SearchOutcome::low_parallax;
+      else if (!(m.x > 0)) m.outcome = SearchOutcome::no_match;
     }
     const double fused = fusedInverseDistance(seed->belief, m.x, m.tau);
     record_.seeds_converged += measureSeed(*seed, m);
@@ -101,6 +108,7 @@ void Tracker::requestSeeds(const Keyframe& keyframe) {
   job_->new_seeds.occupied = occupied_;
   job_->new_seeds.median_depth = keyframe.median_depth;
   job_->new_seeds.min_depth = keyframe.min_depth;
+  job_->new_seeds.scale = keyframe.scale;
   if (last_.pyramid) job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world, last_.index});
   for (const int id : local_keyframes_) {
     if (job_->older_views.size() >= kOlderViews) break;
@@ -117,11 +125,12 @@ void Tracker::requestMeasurements() {
   job_->camera = map_.camera;
   job_->noise_px = frame_.noise_px;
   requestSegmentMeasurements();
+  requestAdjustment();
   for (const int id : local_keyframes_) {
     const Keyframe* keyframe = map_.findKeyframe(id);
     if (!keyframe || keyframe->frame_index == frame_.index) continue;
     const int slot = static_cast<int>(job_->keyframes.size());
-    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index});
+    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index, keyframe->scale});
     for (const Seed& seed : keyframe->seeds) {
       if (seed.status != SeedStatus::active && seed.status != SeedStatus::converged) continue;
       if (job_->seeds.size() >= kMostJobSeeds) return;
@@ -139,7 +148,37 @@ std::optional<MappingJob> Tracker::takeMappingJob() {
   return job;
 }
 
-void Tracker::applyMapping(const MappingResult& result) {
+/// Inverse distances of the answer are in the scale their keyframes had when the job was made.
+void Tracker::bringToScale(MappingResult& result) const {
+  std::map<int, double> factors;
+  for (const JobScale& then : result.scales) {
+    const Keyframe* keyframe = map_.findKeyframe(then.keyframe_id);
+    if (keyframe && keyframe->scale != then.scale) factors[then.keyframe_id] = keyframe->scale / then.scale;
+  }
+  if (factors.empty()) return;
+  const auto factor = [&](int keyframe_id) {
+    const auto it = factors.find(keyframe_id);
+    return it == factors.end() ? 1.0 : it->second;
+  };
+  const auto point = [](SeedMeasurement& m, double by) { m.x /= by, m.tau /= by; };
+  const auto segment = [](SegmentMeasurement& m, double by) {
+    for (int i = 0; i < 2; ++i) m.x[i] /= by, m.tau[i] /= by;
+  };
+  for (SeedMeasurement& m : result.measurements) point(m, factor(m.keyframe_id));
+  for (SegmentMeasurement& m : result.segments.measurements) segment(m, factor(m.keyframe_id));
+  const double own = factor(result.keyframe_id);
+  for (NewSeed& fresh : result.new_seeds) {
+    for (SeedMeasurement& m : fresh.measurements) point(m, own);
+  }
+  for (NewSegmentSeed& fresh : result.segments.new_seeds) {
+    for (SegmentMeasurement& m : fresh.measurements) segment(m, own);
+  }
+  result.median_depth *= own;
+  result.min_depth *= own;
+}
+
+void Tracker::applyMapping(MappingResult result) {
+  bringToScale(result);
   record_.time_ms[static_cast<int>(Stage::mapping)] += result.time_ms;
   for (const SeedMeasurement& m : result.measurements) {
     Seed* seed = findSeed(m.keyframe_id, m.seed_id);
@@ -148,21 +187,25 @@ void Tracker::applyMapping(const MappingResult& result) {
     record_.seed_updates += m.outcome == SearchOutcome::matched;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
-  applyAdjustment(result.adjustment);
   applySegmentMapping(result);
   Keyframe* keyframe = map_.findKeyframe(result.keyframe_id);
-  if (!keyframe) return;
+  if (keyframe) addSeeds(*keyframe, result);
+  // Last: it changes the scale of what was measured before.
+  applyAdjustment(result.adjustment);
+  record_.seeds = map_.seedCount();
+}
+
+void Tracker::addSeeds(Keyframe& keyframe, const MappingResult& result) {
   for (const NewSeed& fresh : result.new_seeds) {
     Seed seed = makeSeed(fresh.feature, map_.camera, result.median_depth, result.min_depth, parameters_.mapping.filter);
     seed.id = map_.next_id++;
-    seed.keyframe_id = keyframe->id;
+    seed.keyframe_id = keyframe.id;
     for (const SeedMeasurement& m : fresh.measurements) {
       measureSeed(seed, m);
       ++record_.seed_updates;
     }
-    keyframe->seeds.push_back(seed);
+    keyframe.seeds.push_back(seed);
   }
-  record_.seeds = map_.seedCount();
 }
 
 }  // namespace svoscope

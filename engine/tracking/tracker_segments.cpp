@@ -12,6 +12,8 @@ namespace svoscope {
 
 namespace {
 
+constexpr double kDegree = M_PI / 180.0;
+
 bool alive(const SegmentSeed& s) { return s.status == SeedStatus::active || s.status == SeedStatus::converged; }
 
 /// Sigma of the inverse distance over its mean, the worse of both ends.
@@ -66,9 +68,13 @@ void Tracker::commitSegments() {
     SegmentSeed* seed = s.origin == FeatureOrigin::landmark ? nullptr : findSegmentSeed(s.keyframe_id, s.id);
     if (!seed) continue;
     const Keyframe& keyframe = *map_.findKeyframe(s.keyframe_id);
-    SegmentMeasurement m = measureFromLine(map_.camera, frame_.T_cam_world * keyframe.T_cam_world.inverse(),
-                                           seed->anchor, s.anchor.px, parameters_.mapping);
+    const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
+    SegmentMeasurement m = measureFromLine(map_.camera, T_cur_ref, seed->anchor, s.anchor.px, parameters_.mapping);
     m.frame_index = frame_.index;
+    for (int i = 0; i < 2; ++i) {
+      const double parallax = parallaxAt(T_cur_ref, seed->anchor.f[i], seed->belief[i].mu);
+      if (parallax < parameters_.mapping.search.min_parallax_deg * kDegree) m.outcome = SearchOutcome::low_parallax;
+    }
     if (s.status != FeatureStatus::inlier) m.outcome = SearchOutcome::no_match;
     const SeedStatus before = seed->status;
     applySegmentMeasurement(*seed, m, parameters_.mapping.filter);
@@ -144,7 +150,7 @@ void Tracker::requestSegmentMeasurements() {
     if (!keyframe || keyframe->frame_index == frame_.index || keyframe->segment_seeds.empty()) continue;
     auto& keyframes = job_->keyframes;
     auto slot = std::find_if(keyframes.begin(), keyframes.end(), [id](const JobKeyframe& k) { return k.id == id; });
-    if (slot == keyframes.end()) slot = keyframes.insert(slot, {id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index});
+    if (slot == keyframes.end()) slot = keyframes.insert(slot, {id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index, keyframe->scale});
     for (const SegmentSeed& seed : keyframe->segment_seeds) {
       if (!alive(seed) || std::find(measured.begin(), measured.end(), seed.id) != measured.end()) continue;
       if (static_cast<int>(job_->segments.seeds.size()) >= p.max_job_seeds) return;

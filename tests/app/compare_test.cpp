@@ -137,7 +137,7 @@ TEST_F(CompareCommand, AWindowOfThreadedRunsClosesInTheMiddle) {
     GTEST_SKIP() << "xvfb-run is absent: install xvfb";
   const Outcome outcome =
       runProgram("view synthetic:room --method all --close-after 12 --out " + path("w"),
-                 "timeout 60 xvfb-run -a -s '-screen 0 1280x800x24'");
+                 "timeout 170 xvfb-run -a -s '-screen 0 1280x800x24'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 

@@ -16,7 +16,7 @@ TEST(Window, ClosesCleanlyWhileTheEngineRuns) {
   const test::TemporaryFolder folder;
   const auto outcome = test::runProgram(
       "view synthetic:room --close-after 12 --out '" + folder.path().string() + "'",
-      "timeout 60 xvfb-run -a -s '-screen 0 1280x800x24'");
+      "timeout 170 xvfb-run -a -s '-screen 0 1280x800x24'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 

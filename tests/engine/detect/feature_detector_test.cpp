@@ -124,7 +124,7 @@ TEST(OccupancyGrid, CellsCoverTheWholeImage) {
 
 TEST(OccupancyGrid, CellsGrowWithLargeImagesOnly) {
   EXPECT_EQ(scaledCell(30, 640), 30);
-  EXPECT_EQ(scaledCell(30, 320), 30);
+  EXPECT_EQ(scaledCell(30, 320), 21);
   EXPECT_EQ(scaledCell(30, 2560), 60);
   EXPECT_EQ(scaledCell(1, 640), 8);
 }
