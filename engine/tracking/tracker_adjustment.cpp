@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "engine/base/quantile.h"
 #include "engine/mapping/segment_refinement.h"
 #include "engine/tracking/tracker.h"
 
@@ -28,11 +27,17 @@ struct KeyframeChange {
   }
 };
 
-/// The adjustment leaves the scale free where no keyframe holds it; how far the landmarks of a keyframe
-/// went tells by how much everything else there has to follow.
-double scaleOf(const std::vector<double>& ratios) {
-  constexpr std::size_t kLeast = 8;
-  return ratios.size() < kLeast ? 1.0 : quantile(ratios, 0.5);
+/// The adjustment leaves the scale free where no keyframe holds it. How far it moved the other keyframes from
+/// this one tells by how much everything there has to follow that was measured between them. (The distances
+/// of landmarks tell less: they also change because they were wrong.)
+double scaleOf(int keyframe, const std::map<int, KeyframeChange>& changes) {
+  const KeyframeChange& own = changes.at(keyframe);
+  double before = 0, after = 0;
+  for (const auto& [id, other] : changes) {
+    before += (other.T_cam_world_old * own.T_cam_world_old.inverse()).translation().norm();
+    after += (other.T_cam_world_new * own.T_cam_world_new.inverse()).translation().norm();
+  }
+  return before > 1e-6 && after > 1e-6 ? after / before : 1.0;
 }
 
 std::map<int, KeyframeChange> changesBy(const AdjustmentResult& adjustment, const Map& map) {
@@ -41,19 +46,7 @@ std::map<int, KeyframeChange> changesBy(const AdjustmentResult& adjustment, cons
     const auto it = map.keyframes.find(k.id);
     if (it != map.keyframes.end()) changes[k.id] = {it->second.T_cam_world, k.T_cam_world, 1.0};
   }
-  std::map<int, std::vector<double>> ratios;
-  for (const AdjustmentPoint& p : adjustment.points) {
-    const Landmark* landmark = map.find(p.id);
-    if (!landmark) continue;
-    for (const LandmarkObservation& o : landmark->observations) {
-      const auto it = changes.find(o.keyframe_id);
-      if (it == changes.end()) continue;
-      const double before = (it->second.T_cam_world_old * landmark->p_world).norm();
-      const double after = (it->second.T_cam_world_new * p.p_world).norm();
-      if (before > 1e-6 && after > 1e-6) ratios[o.keyframe_id].push_back(after / before);
-    }
-  }
-  for (auto& [id, change] : changes) change.scale = scaleOf(ratios[id]);
+  for (auto& [id, change] : changes) change.scale = scaleOf(id, changes);
   return changes;
 }
 
