@@ -137,6 +137,25 @@ Status InspectorTarget::showPanel(const std::string& name) {
   return Done{};
 }
 
+Status InspectorTarget::panelOnScreen(const std::string& name) const {
+  if (!contains(panelNames(), name)) {
+    return usageError("no panel is called '" + name + "'", "", listed(panelNames()));
+  }
+  if (!state_.maximized.empty() && state_.maximized != name) {
+    return usageError("the panel " + name + " is not on screen: " + state_.maximized + " is shown alone", "",
+                      "`panel all` first, or `panel " + name + "`");
+  }
+  if (state_.maximized.empty() && !hasPanel(state_.layout.root, name)) {
+    return usageError("the panel " + name + " is not in the layout " + state_.layout.name, "",
+                      "`panel " + name + "` shows it alone");
+  }
+  if (state_.maximized.empty() && !isRaised(state_.layout.root, name)) {
+    return usageError("the panel " + name + " is behind its tab", "",
+                      "`click tab:" + name + "` first, or `panel " + name + "` to show it alone");
+  }
+  return Done{};
+}
+
 Status InspectorTarget::setLayout(const std::string& name) {
   if (!contains(presetNames(), name)) {
     return usageError("no layout is called '" + name + "'", "", listed(presetNames()));
