@@ -8,6 +8,7 @@
 
 #include "ui/harness/inspector_options.h"
 #include "ui/harness/seed_values.h"
+#include "ui/panels/seed_trace.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -51,12 +52,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What `select seed any` prefers: still open and just matched, then the number of updates.
-std::pair<int, int> worth(const SeedView& seed) {
-  const bool open = seed.status == SeedStatus::active, matched = seed.outcome == SearchOutcome::matched;
-  return {(open ? 2 : 0) + (matched ? 1 : 0), seed.updates};
-}
-
 }  // namespace
 
 SnapshotPtr InspectorTarget::shown() const {
@@ -95,7 +90,7 @@ Status InspectorTarget::selectSeed(std::int64_t id) {
   const SeedView* best = nullptr;
   for (const SeedView& seed : *snapshot->seeds) {
     const bool wanted = id >= 0 ? seed.id == id : seed.visible;
-    if (wanted && (!best || (id < 0 && worth(seed) > worth(*best)))) best = &seed;
+    if (wanted && (!best || (id < 0 && showsMore(seed, *best, true)))) best = &seed;
   }
   if (!best) {
     return notThere(id < 0 ? "visible seed" : "seed " + std::to_string(id), snapshot->record.index,
