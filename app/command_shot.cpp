@@ -7,6 +7,7 @@
 
 #include "app/command.h"
 #include "app/open_runs.h"
+#include "app/output_folder.h"
 #include "app/run_settings.h"
 #include "ui/application.h"
 #include "ui/harness/script.h"
@@ -24,10 +25,8 @@ struct Arguments {
 };
 
 /// The sequence of the command line, or the one that the script opens.
-Result<std::string> sequenceOf(const Arguments& a) {
-  const Result<ui::Script> script = ui::readScript(a.script);
-  if (!script.ok()) return script.error();
-  const std::optional<std::string> named = script.value().sequence();
+Result<std::string> sequenceOf(const Arguments& a, const ui::Script& script) {
+  const std::optional<std::string> named = script.sequence();
   if (a.run.sequence.empty() && !named)
     return usageError("no sequence given", "", "name one on the command line or begin the script with open SEQUENCE");
   if (!a.run.sequence.empty() && named && *named != a.run.sequence) {
@@ -38,8 +37,12 @@ Result<std::string> sequenceOf(const Arguments& a) {
 }
 
 int runShot(const Arguments& a) {
-  const Result<std::string> sequence = sequenceOf(a);
+  const Result<ui::Script> script = ui::readScript(a.script);  // once: it may be a pipe
+  if (!script.ok()) return reportError(script.error());
+  const Result<std::string> sequence = sequenceOf(a, script.value());
   if (!sequence.ok()) return reportError(sequence.error());
+  const Status folder = prepareOutputFolder(a.out);
+  if (!folder.ok()) return reportError(folder.error());
   RunSettings run = a.run;
   run.sequence = sequence.value();
   // Scripts name frames and seeds: only the synchronous engine gives the same ones every time.
@@ -52,7 +55,7 @@ int runShot(const Arguments& a) {
   inspector.surface = ui::SurfaceKind::osmesa;
   std::sscanf(a.size.c_str(), "%dx%d", &inspector.width, &inspector.height);
   inspector.scale = static_cast<float>(a.scale);
-  inspector.script = a.script;
+  inspector.script = script.value();
   inspector.out = a.out;
   return ui::runInspector(inspector);
 }

@@ -6,6 +6,7 @@
 
 #include "app/command.h"
 #include "app/open_runs.h"
+#include "app/output_folder.h"
 #include "app/run_settings.h"
 #include "app/tour.h"
 #include "engine/runner/lockstep_runner.h"
@@ -26,19 +27,25 @@ struct Arguments {
 
 /// In a window the sequence plays at its own rate; rendered to files it is stepped by the tour.
 int runView(const Arguments& a) {
+  const std::string out = !a.out.empty() ? a.out : a.headless ? "svoscope-screens" : ".";
+  if (a.headless) {
+    const Status folder = prepareOutputFolder(out);
+    if (!folder.ok()) return reportError(folder.error());
+  }
   RunnerOptions options;
   options.threaded = !a.headless && !a.sync;
   auto runner = openRuns(a.run, a.compare, options);
   if (!runner.ok()) return reportError(runner.error());
   ui::InspectorOptions inspector;
   inspector.scale = static_cast<float>(a.scale);
-  inspector.out = a.out.empty() ? "." : a.out;
+  inspector.out = out;
   inspector.exit_after_frames = a.headless ? 0 : a.close_after;
   if (a.headless) {
     inspector.surface = ui::SurfaceKind::osmesa;
-    inspector.out = a.out.empty() ? "svoscope-screens" : a.out;
     const bool several = dynamic_cast<const LockstepRunner*>(runner.value().get()) != nullptr;
-    auto script = writeTour(inspector.out, runner.value()->info(), several);
+    const auto tour = writeTour(out, runner.value()->info(), several);
+    if (!tour.ok()) return reportError(tour.error());
+    const auto script = ui::readScript(tour.value());
     if (!script.ok()) return reportError(script.error());
     inspector.script = script.value();
   } else {

@@ -4,18 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+
+#include "engine/io/text_output.h"
 
 namespace svoscope {
 
 Result<std::filesystem::path> writeTour(const std::filesystem::path& folder, const RunInfo& info,
                                         bool several) {
-  std::error_code ec;
-  std::filesystem::create_directories(folder, ec);
-  const auto file = folder / "tour.script";
-  std::ofstream out(file);
   const int early = std::min(4, info.frames - 1), middle = std::min(150, info.frames - 1);
-  out << fmt::format(
+  std::string text = fmt::format(
       "# The main screens; run again with: svoscope shot SEQUENCE --script tour.script --out DIR\n"
       "run-to {}\n"
       "layout Tracking\n"
@@ -29,10 +26,12 @@ Result<std::filesystem::path> writeTour(const std::filesystem::path& folder, con
       "layout Evaluation\n"
       "shot 4-evaluation.png\n",
       early, middle);
-  if (several) out << "layout Compare\nshot 5-compare.png\n";
-  out.close();
-  if (!out) return outputError("cannot be written", file.string(), "choose another folder with --out");
-  return file;
+  if (several) text += "layout Compare\nshot 5-compare.png\n";
+  const Status made = makeFolder(folder);
+  if (!made.ok()) return made.error();
+  const auto file = folder / "tour.script";
+  const Status written = writeWhole(file, text);
+  return written.ok() ? Result<std::filesystem::path>(file) : written.error();
 }
 
 }  // namespace svoscope

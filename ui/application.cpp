@@ -48,11 +48,9 @@ void serveRequests(Host& host, Inspector& inspector) {
 }
 
 int runScripted(const InspectorOptions& options, Host& host, Inspector& inspector) {
-  const Result<Script> script = readScript(*options.script);
-  if (!script) return fail(script.error());
   InspectorTarget target(*options.runner, inspector.state());
   const Result<ScriptReport> result =
-      runScript(script.value(), {host, inspector, target, options.runner.get(), options.out});
+      runScript(*options.script, {host, inspector, target, options.runner.get(), options.out});
   report(host);
   if (!result) return fail(result.error());
   for (const std::string& note : result.value().notes) std::printf("%s\n", note.c_str());

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/runner/runner.h"
+#include "ui/harness/script.h"
 #include "ui/surface/surface.h"
 
 namespace svoscope::ui {
@@ -19,7 +20,7 @@ struct InspectorOptions {
   SurfaceKind surface = SurfaceKind::automatic;
   int width = 1600, height = 1000;              ///< pixels; a window's at scale 1
   float scale = 1;                              ///< times the screen's own
-  std::optional<std::filesystem::path> script;  ///< driven by it, then closed
+  std::optional<Script> script;                 ///< driven by it, then closed
   std::filesystem::path out = ".";              ///< folder of screenshots
   int exit_after_frames = 0;  ///< close after so many drawn frames; 0: when the user does
 };

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "engine/io/png.h"
+#include "engine/io/text_output.h"
 #include "ui/render/fonts.h"
 #include "ui/render/gl_graphics.h"
 #include "ui/render/imgui_renderer.h"
@@ -178,19 +179,13 @@ Status Host::screenshot(const std::filesystem::path& file,
 }
 
 Status writePng(const std::filesystem::path& file, const cv::Mat& rgb) {
-  std::error_code failed;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
+  if (file.has_parent_path()) {
+    const Status made = makeFolder(file.parent_path());
+    if (!made.ok()) return made;
+  }
   cv::Mat bgr;
   cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-  bool written = false;
-  try {
-    written = cv::imwrite(file.string(), bgr);
-  } catch (const cv::Exception&) {
-    // An unknown extension; reported below like any other failure.
-  }
-  if (written) return Done{};
-  return outputError("the picture cannot be written", file.string(),
-                     "the folder must be writable and the name end in .png");
+  return svoscope::writePng(file, bgr);
 }
 
 }  // namespace svoscope::ui

@@ -134,6 +134,7 @@ PanelContext Inspector::makeContext() {
   now().truth.update(now().run.records(), c.info.ground_truth, static_cast<AlignMode>(state_.align_mode),
                      now().run.generation(), !c.status.playing);
   now().selection.update(runner_, state_.selection, c.latest);
+  state_.linked_x.known = framesOf(caches_);
   return c;
 }
 

@@ -2,9 +2,11 @@
 // The inspector's menu bar.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ui/inspector.h"
 #include "ui/palette.h"
+#include "ui/panels/compare_panel.h"
 #include "ui/panels/export.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -26,6 +28,31 @@ bool beginMenu(const char* label) {
   // The item's rectangle is that of the bar's entry only while the menu is closed.
   if (!open) Probe::record(label);
   return open;
+}
+
+float runTabWidth(const RunStyle& style) {
+  return ImGui::CalcTextSize(style.label.c_str()).x + ImGui::GetFontSize() + grid(4);
+}
+
+bool runTab(const RunStyle& style, ImVec2 at, float width, bool current) {
+  const float pad = grid(2), swatch = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  const ImVec2 hi{at.x + width, at.y + height};
+  ImGui::SetCursorScreenPos(at);
+  const bool pressed = ImGui::InvisibleButton("##run", {width, height});
+  const bool hovered = ImGui::IsItemHovered(), cut = width < runTabWidth(style) - 1;
+  Probe::record("run:" + style.name, at, hi);
+  const char* hint = style.poses_only ? "Trajectory of another system, in the Compare panels"
+                     : current        ? "The current run"
+                                      : "Make it the current run (R: next)";
+  tooltip(cut ? (style.label + "\n" + hint).c_str() : hint);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (current) list->AddRectFilled(at, hi, ink::panel);
+  if (current) list->AddRectFilled(at, {hi.x, at.y + dp(2)}, style.color);
+  drawSwatch(swatchOf(style.dash), {at.x + pad + swatch * 0.4f, at.y + height / 2}, swatch * 0.28f, style.color);
+  const ImU32 color = !style.poses_only && (current || hovered) ? ink::text : ink::dim;
+  const std::string label = cut ? elided(style.label, width - swatch - 2 * pad) : style.label;
+  list->AddText({at.x + pad + swatch, at.y + (height - ImGui::GetFontSize()) / 2}, color, label.c_str());
+  return pressed;
 }
 
 }  // namespace
@@ -84,35 +111,24 @@ void Inspector::drawViewMenu() {
 }
 
 /// One tab per run at the right end of the bar; trajectories are listed, too, but cannot be entered.
+/// Where they do not fit, the longest labels are shortened.
 void Inspector::drawRunTabs() {
   if (runs_.size() < 2) return;
-  const float pad = grid(2), swatch = ImGui::GetFontSize(), gap = grid(1), height = ImGui::GetFrameHeight();
-  const auto widthOf = [&](const RunStyle& s) { return ImGui::CalcTextSize(s.label.c_str()).x + swatch + 2 * pad; };
-  float total = 0;
-  for (int i = 0; i < runs_.size(); ++i) total += widthOf(runs_.style(i)) + gap;
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - grid(1);
+  const float gap = grid(1), right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - grid(1);
+  std::vector<float> widths;
+  for (int i = 0; i < runs_.size(); ++i) widths.push_back(runTabWidth(runs_.style(i)) + gap);
   ImVec2 at = ImGui::GetCursorScreenPos();
-  at.x = std::max(at.x + grid(2), right - total);
+  at.x += grid(2);
+  widths = sharedWidths(widths, right - at.x);
+  at.x = std::max(at.x, right - std::accumulate(widths.begin(), widths.end(), 0.0f));
   for (int i = 0; i < runs_.size(); ++i) {
     const RunStyle& style = runs_.style(i);
-    const ImVec2 hi{at.x + widthOf(style), at.y + height};
-    ImGui::SetCursorScreenPos(at);
+    const float width = widths[static_cast<std::size_t>(i)];
     ImGui::PushID(i);
-    const bool pressed = ImGui::InvisibleButton("##run", {hi.x - at.x, height});
+    const bool pressed = runTab(style, at, std::max(1.0f, width - gap), i == runs_.current());
     ImGui::PopID();
-    const bool hovered = ImGui::IsItemHovered(), current = i == runs_.current();
-    Probe::record("run:" + style.name, at, hi);
-    tooltip(style.poses_only ? "Trajectory of another system, in the Compare panels" : current ? "The current run" : "Make it the current run (R: next)");
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (current) list->AddRectFilled(at, hi, ink::panel);
-    if (current) list->AddRectFilled(at, {hi.x, at.y + dp(2)}, style.color);
-    const ImVec2 middle{at.x + pad + swatch * 0.4f, at.y + height / 2};
-    drawSwatch(style.dash == Dash::solid ? Swatch::line : style.dash == Dash::dashed ? Swatch::dashed : Swatch::dotted,
-               middle, swatch * 0.28f, style.color);
-    const ImU32 color = style.poses_only ? ink::faint : current || hovered ? ink::text : ink::dim;
-    list->AddText({at.x + pad + swatch, at.y + (height - ImGui::GetFontSize()) / 2}, color, style.label.c_str());
     if (pressed && !style.poses_only) state_.run_request = i;
-    at.x = hi.x + gap;
+    at.x += width;
   }
 }
 

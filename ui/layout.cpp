@@ -181,6 +181,12 @@ bool hasPanel(const LayoutNode& node, const std::string& panel) {
   return std::find(node.panels.begin(), node.panels.end(), panel) != node.panels.end();
 }
 
+bool isRaised(const LayoutNode& node, const std::string& panel) {
+  if (!node.leaf) return isRaised(*node.first, panel) || isRaised(*node.second, panel);
+  const auto active = static_cast<std::size_t>(node.active);
+  return active < node.panels.size() && node.panels[active] == panel;
+}
+
 bool raisePanel(LayoutNode& node, const std::string& panel) {
   if (!node.leaf) return raisePanel(*node.first, panel) || raisePanel(*node.second, panel);
   const auto found = std::find(node.panels.begin(), node.panels.end(), panel);

@@ -44,6 +44,8 @@ Result<Layout> loadLayout(const std::string& path);
 std::string defaultLayoutPath();
 
 bool hasPanel(const LayoutNode& node, const std::string& panel);
+/// Whether the panel's tab is the active one.
+bool isRaised(const LayoutNode& node, const std::string& panel);
 /// Makes the panel's tab the active one; false if it is not in the layout.
 bool raisePanel(LayoutNode& node, const std::string& panel);
 /// Takes the panel out; a split that lost one side becomes the other.

@@ -6,6 +6,7 @@
 
 #include "ui/palette.h"
 #include "ui/theme.h"
+#include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
 #include "ui/widgets/splitter.h"
 
@@ -20,9 +21,10 @@ void toggleMaximized(LayoutView& view, const std::string& panel) {
   *view.maximized = view.maximized->empty() ? panel : std::string();
 }
 
-// One tab; returns its width.
-float tab(const std::string& name, ImVec2 at, bool active, bool& clicked, bool& doubled) {
-  const float width = ImGui::CalcTextSize(name.c_str()).x + grid(4), height = titleHeight();
+float tabWidth(const std::string& name) { return ImGui::CalcTextSize(name.c_str()).x + grid(4); }
+
+void tab(const std::string& name, ImVec2 at, float width, bool active, bool& clicked, bool& doubled) {
+  const float height = titleHeight();
   ImGui::SetCursorScreenPos(at);
   clicked = ImGui::InvisibleButton(name.c_str(), {width, height});
   doubled = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
@@ -34,21 +36,42 @@ float tab(const std::string& name, ImVec2 at, bool active, bool& clicked, bool& 
     list->AddRectFilled(at, {hi.x, at.y + dp(2)}, ink::accent);
   }
   const ImU32 color = active ? ink::text : ImGui::IsItemHovered() ? ink::text : ink::dim;
-  list->AddText({at.x + grid(2), std::round(at.y + (height - ImGui::GetFontSize()) / 2)}, color, name.c_str());
-  return width;
+  list->AddText({at.x + grid(2), std::round(at.y + (height - ImGui::GetFontSize()) / 2)}, color,
+                elided(name, width - grid(4)).c_str());
+  if (width < tabWidth(name)) tooltip(name.c_str());
 }
 
-// At the right end, where there is room; returns where the rest of the bar begins.
-float exportButton(const std::string& panel, float x, ImVec2 lo, ImVec2& hi, LayoutView& view) {
-  const float width = ImGui::CalcTextSize("Export").x + grid(4);
-  if (!view.exportable || !view.exportable(panel) || hi.x - width < x + grid(2)) return x;
+// Label of the button: an arrow where the tabs need the room; empty if there is nothing to export.
+std::string exportLabel(const std::string& panel, float room, const LayoutView& view) {
+  if (!view.exportable || !view.exportable(panel)) return "";
+  return tabWidth("Export") <= room ? "Export" : "↓";
+}
+
+// The tab in front keeps its width, the others share what is left.
+std::vector<float> tabWidths(const LayoutNode& node, float room) {
+  const auto active = static_cast<std::size_t>(node.active);
+  const float front = std::min(tabWidth(node.panels[active]), std::max(1.0f, room));
+  std::vector<float> widths;
+  for (const std::string& name : node.panels) widths.push_back(tabWidth(name));
+  widths[active] = 0;
+  widths = sharedWidths(widths, room - front);
+  widths[active] = front;
+  return widths;
+}
+
+// At the right end; returns where the rest of the bar begins.
+float exportButton(const std::string& panel, const std::string& label, float x, ImVec2 lo, ImVec2& hi,
+                   LayoutView& view) {
+  if (label.empty()) return x;
+  const float width = tabWidth(label);
   const ImVec2 at{hi.x - width, lo.y};
   ImGui::SetCursorScreenPos(at);
   if (ImGui::InvisibleButton("##export", {width, titleHeight()})) view.export_clicked = panel;
   Probe::record("export:" + panel, at, {hi.x, lo.y + titleHeight()});
   const ImU32 color = ImGui::IsItemHovered() ? ink::text : ink::dim;
   ImGui::GetWindowDrawList()->AddText(
-      {at.x + grid(2), std::round(lo.y + (titleHeight() - ImGui::GetFontSize()) / 2)}, color, "Export");
+      {at.x + grid(2), std::round(lo.y + (titleHeight() - ImGui::GetFontSize()) / 2)}, color, label.c_str());
+  if (label != "Export") tooltip("Export");
   hi.x = at.x;
   return x;
 }
@@ -57,18 +80,25 @@ void titleBar(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(lo, {hi.x, lo.y + titleHeight()}, ink::title);
   ImGui::PushClipRect(lo, {hi.x, lo.y + titleHeight()}, true);
+  const std::string& active = node.panels[static_cast<std::size_t>(node.active)];
+  float all = 0;
+  for (const std::string& name : node.panels) all += tabWidth(name);
+  const std::string label = exportLabel(active, hi.x - lo.x - all, view);
+  const std::vector<float> widths = tabWidths(node, hi.x - lo.x - (label.empty() ? 0 : tabWidth(label)));
   float x = lo.x;
   for (int i = 0; i < static_cast<int>(node.panels.size()); ++i) {
     bool clicked = false, doubled = false;
     const std::string& name = node.panels[static_cast<std::size_t>(i)];
-    x += tab(name, {x, lo.y}, i == node.active, clicked, doubled);
+    const float width = std::max(1.0f, widths[static_cast<std::size_t>(i)]);
+    tab(name, {x, lo.y}, width, i == node.active, clicked, doubled);
+    x += width;
     if (clicked && node.active != i) {
       node.active = i;
       view.changed = true;
     }
     if (doubled) toggleMaximized(view, name);
   }
-  x = exportButton(node.panels[static_cast<std::size_t>(node.active)], x, lo, hi, view);
+  x = exportButton(node.panels[static_cast<std::size_t>(node.active)], label, x, lo, hi, view);
   if (hi.x > x + 1) {
     ImGui::SetCursorScreenPos({x, lo.y});
     ImGui::InvisibleButton("##rest", {hi.x - x, titleHeight()});

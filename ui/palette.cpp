@@ -148,6 +148,18 @@ const char* stateLabel(TrackingState state) {
   return "";
 }
 
+std::string stateReason(const FrameRecord& record) {
+  const std::string state = stateName(record.state), &reason = record.reason;
+  if (reason.rfind(state, 0) != 0) return reason;
+  const std::size_t from = reason.find_first_not_of(", :", state.size());
+  return from == std::string::npos ? "" : reason.substr(from);
+}
+
+std::string stateSentence(const FrameRecord& record) {
+  const std::string reason = stateReason(record);
+  return stateLabel(record.state) + (reason.empty() ? "" : ": " + reason);
+}
+
 const char* stageLabel(Stage stage) {
   switch (stage) {
     case Stage::read: return "Read";

@@ -63,6 +63,10 @@ ImU32 eventColor(EventKind kind);
 ImU32 stageColor(Stage stage);
 
 const char* stateLabel(TrackingState state);
+/// Why in this state, without the state's name in front; empty if only that is known.
+std::string stateReason(const FrameRecord& record);
+/// "Lost: 31 inliers < 40 required": state and reason, without saying the state twice.
+std::string stateSentence(const FrameRecord& record);
 /// "Sparse align": the stage's name for people.
 const char* stageLabel(Stage stage);
 const char* methodName(const std::string& method);

@@ -118,7 +118,10 @@ Status Executor::picture(const std::filesystem::path& file, const std::string& p
   std::optional<ProbeRect> part;
   if (!panel.empty()) {
     const Result<ProbeRect> rect = gestures_.find("panel:" + panel);
-    if (!rect) return rect.error();
+    if (!rect) {
+      const Status hidden = stage_.target.panelOnScreen(panel);
+      return hidden ? rect.error() : hidden.error();
+    }
     part = rect.value();
   }
   if (!stage_.host.hasPixels()) {

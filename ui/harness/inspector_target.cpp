@@ -8,6 +8,7 @@
 
 #include "ui/harness/inspector_options.h"
 #include "ui/harness/seed_values.h"
+#include "ui/panels/seed_trace.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -51,12 +52,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What `select seed any` prefers: still open and just matched, then the number of updates.
-std::pair<int, int> worth(const SeedView& seed) {
-  const bool open = seed.status == SeedStatus::active, matched = seed.outcome == SearchOutcome::matched;
-  return {(open ? 2 : 0) + (matched ? 1 : 0), seed.updates};
-}
-
 }  // namespace
 
 SnapshotPtr InspectorTarget::shown() const {
@@ -95,7 +90,7 @@ Status InspectorTarget::selectSeed(std::int64_t id) {
   const SeedView* best = nullptr;
   for (const SeedView& seed : *snapshot->seeds) {
     const bool wanted = id >= 0 ? seed.id == id : seed.visible;
-    if (wanted && (!best || (id < 0 && worth(seed) > worth(*best)))) best = &seed;
+    if (wanted && (!best || (id < 0 && showsMore(seed, *best, true)))) best = &seed;
   }
   if (!best) {
     return notThere(id < 0 ? "visible seed" : "seed " + std::to_string(id), snapshot->record.index,
@@ -134,6 +129,25 @@ Status InspectorTarget::showPanel(const std::string& name) {
   if (!hasPanel(state_.layout.root, name)) ui::showPanel(state_.layout.root, name);
   raisePanel(state_.layout.root, name);
   state_.maximized = name;
+  return Done{};
+}
+
+Status InspectorTarget::panelOnScreen(const std::string& name) const {
+  if (!contains(panelNames(), name)) {
+    return usageError("no panel is called '" + name + "'", "", listed(panelNames()));
+  }
+  if (!state_.maximized.empty() && state_.maximized != name) {
+    return usageError("the panel " + name + " is not on screen: " + state_.maximized + " is shown alone", "",
+                      "`panel all` first, or `panel " + name + "`");
+  }
+  if (state_.maximized.empty() && !hasPanel(state_.layout.root, name)) {
+    return usageError("the panel " + name + " is not in the layout " + state_.layout.name, "",
+                      "`panel " + name + "` shows it alone");
+  }
+  if (state_.maximized.empty() && !isRaised(state_.layout.root, name)) {
+    return usageError("the panel " + name + " is behind its tab", "",
+                      "`click tab:" + name + "` first, or `panel " + name + "` to show it alone");
+  }
   return Done{};
 }
 

@@ -23,6 +23,7 @@ class InspectorTarget : public ScriptTarget {
   Status selectNothing() override;
   std::optional<ImVec2> screenPosition(float x, float y) const override;
   Status showPanel(const std::string& name) override;
+  Status panelOnScreen(const std::string& name) const override;
   Status setLayout(const std::string& name) override;
   Status requestExport(const std::string& panel, const std::string& file) override;
   Status exportResult() const override;

@@ -2,7 +2,9 @@
 #include "ui/harness/script.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace svoscope::ui {
@@ -109,6 +111,13 @@ Result<ScriptCommand> parseCommand(const std::string& line, std::vector<std::str
     return scriptError(script, command, "wrong number of arguments",
                        std::string("write: ") + syntax->name + " " + syntax->arguments);
   }
+  if (command.name == "shot") {
+    const std::string extension = std::filesystem::path(command.arguments.front()).extension().string();
+    if (!extension.empty() && extension != ".png") {
+      return scriptError(script, command, "'" + command.arguments.front() + "' does not end in .png",
+                         "pictures are written as PNG");
+    }
+  }
   if (command.name == "open" && !script.commands.empty()) {
     return scriptError(script, command, "'open' must be the first command", "move it to the top");
   }
@@ -151,13 +160,18 @@ Result<Script> parseScript(const std::string& text, const std::string& source) {
 }
 
 Result<Script> readScript(const std::filesystem::path& file) {
+  std::error_code ec;
+  if (std::filesystem::is_directory(file, ec)) {
+    return inputError("this is a folder, not a script", file.string(), "name a file of commands");
+  }
   std::ifstream stream(file);
-  if (!stream) {
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) {
     return inputError("the script cannot be read", file.string(), "check the path");
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parseScript(text.str(), file.filename().string());
+  // What a pipe is called tells only with its folder: /dev/fd/63.
+  const bool plain = std::filesystem::is_regular_file(file, ec);
+  return parseScript(text, plain ? file.filename().string() : file.string());
 }
 
 std::string scriptHelp() {

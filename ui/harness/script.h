@@ -29,6 +29,7 @@ struct Script {
 
 /// Checks names and numbers of arguments; an error names the line and the known commands.
 Result<Script> parseScript(const std::string& text, const std::string& source);
+/// Reads the file once, so that it may be a pipe.
 Result<Script> readScript(const std::filesystem::path& file);
 
 /// "step [N]" and so on, one line each with what it does, for `--help` and messages.

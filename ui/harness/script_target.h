@@ -34,6 +34,11 @@ class ScriptTarget {
     return std::nullopt;
   }
   virtual Status showPanel(const std::string& name) { return refuse("panel " + name); }
+  /// Why a panel is not on screen; done if it is, or nothing is known of it.
+  virtual Status panelOnScreen(const std::string& name) const {
+    (void)name;
+    return Done{};
+  }
   virtual Status setLayout(const std::string& name) { return refuse("layout " + name); }
   /// Asks for the panel's numbers or charts in `file`, .csv or .svg; done in the next frame.
   virtual Status requestExport(const std::string& panel, const std::string&) { return refuse("panel " + panel); }

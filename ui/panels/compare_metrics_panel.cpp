@@ -69,9 +69,7 @@ void metricTable(PanelContext& c, const CompareData& data) {
       ImGui::TableNextColumn();
       const bool best =
           row.best >= 0 && row.values[i] == row.values[static_cast<std::size_t>(row.best)];
-      ImGui::PushStyleColor(ImGuiCol_Text, toVec4(best                   ? ink::selected
-                                                  : row.values[i] == "–" ? ink::faint
-                                                                         : ink::dim));
+      ImGui::PushStyleColor(ImGuiCol_Text, toVec4(best ? ink::selected : ink::dim));
       ImGui::TextUnformatted(row.values[i].c_str());
       ImGui::PopStyleColor();
       if (!best) continue;  // underlined: brightness alone is easily missed
@@ -109,28 +107,23 @@ bool comparing(PanelContext& c) {
 std::string runStateText(const RunStyle& style, const FrameRecord* record) {
   if (!record) return "no such frame";
   if (style.poses_only) return record->pose_good ? "pose" : "no pose";
-  std::string text = stateLabel(record->state);
   if (record->state == TrackingState::tracking)
-    return text + format(", %d inliers", record->funnel.inliers);
-  if (!record->reason.empty() && record->reason != stateName(record->state))
-    text += ": " + record->reason;
-  return text;
+    return stateLabel(record->state) + format(", %d inliers", record->funnel.inliers);
+  return stateSentence(*record);
 }
 
 void runTitle(PanelContext&, const RunStyle& style, const FrameRecord* record) {
   legendEntry(style.color, swatchOf(style.dash), style.label.c_str());
   ImGui::SameLine(0, grid(2));
   const bool lost = record && !style.poses_only && record->state == TrackingState::lost;
-  ImGui::PushStyleColor(ImGuiCol_Text, toVec4(lost ? okabe::orange : ink::dim));
   const std::string text = runStateText(style, record);
   std::string shown = text;
-  const float room = ImGui::GetContentRegionAvail().x;
+  const float room = std::max(1.0f, ImGui::GetContentRegionAvail().x - grid(1));
   if (const auto comma = text.find(", ");
       comma != std::string::npos && ImGui::CalcTextSize(text.c_str()).x > room) {
     shown = text.substr(comma + 2);  // that it tracks is plain from the number
   }
-  ImGui::TextUnformatted(shown.c_str());
-  ImGui::PopStyleColor();
+  elidedText(shown, lost ? okabe::orange : ink::dim);
   tooltip(text.c_str());
 }
 

@@ -76,14 +76,12 @@ void drawComparePlotsPanel(PanelContext& c) {
     specs.push_back(specOf(c, data, q));
     specs.back().marks = &marks;
   }
-  const float spacing = ImGui::GetStyle().ItemSpacing.y;
-  const float room = ImGui::GetContentRegionAvail().y - spacing * static_cast<float>(specs.size());
-  const float height =
-      std::max(ImGui::GetFontSize() * 4.8f, room / static_cast<float>(specs.size()));
-  for (std::size_t i = 0; i < specs.size(); ++i) {
-    PlotSpec& spec = specs[i];
-    spec.size = {0, std::floor(height)};
-    spec.show_x_labels = i + 1 == specs.size();
+  const float room = ImGui::GetContentRegionAvail().y;
+  const int count = static_cast<int>(specs.size());
+  for (int i = 0; i < count; ++i) {
+    PlotSpec& spec = specs[static_cast<std::size_t>(i)];
+    spec.size = {0, stackedHeight(i, count, room, ImGui::GetFontSize() * 4.2f)};
+    spec.show_x_labels = i + 1 == count;
     PlotState& state = c.state.plots[spec.id];
     const PlotResult result = plot(spec, state, c.state.linked_x);
     if (result.clicked) c.view(std::max(0, static_cast<int>(result.clicked_x)));

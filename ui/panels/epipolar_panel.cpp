@@ -36,7 +36,7 @@ ImVec2 drawPatch(PanelContext& c, const Patch& patch, std::uint32_t slot, float 
     pen::image(list, c.graphics.image(kSlots + slot, patch.pixels, c.caches.search.version(), false), lo, hi, patch.pixels);
   } else {
     const ImVec2 size = ImGui::CalcTextSize("none");
-    pen::text(list, {(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::faint, "none");
+    pen::text(list, {(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::dim, "none");
   }
   pen::rect(list, lo, hi, ink::line);
   const std::string below = wrapped(patch.below, side);
@@ -115,6 +115,23 @@ Profile profileOf(const SearchDetail& d, bool pixels) {
   return p;
 }
 
+struct ProfileLine {
+  double x;
+  LineStyle style;
+  std::string label;
+};
+
+// Vertical lines of the profile over inverse distance, from left to right.
+std::vector<ProfileLine> profileLines(const SeedUpdateView& u, double sigmas) {
+  const BeliefView& b = drawable(u.kl_before) ? u.kl_before : u.js_before;
+  std::vector<ProfileLine> lines{{b.mu - sigmas * b.sigma, {ink::dim, 1, true}, format("μ - %gσ", sigmas)},
+                                 {b.mu, {ink::text, 1, true}, "μ"},
+                                 {b.mu + sigmas * b.sigma, {ink::dim, 1, true}, format("μ + %gσ", sigmas)}};
+  if (u.tau > 0) lines.push_back({u.x, {ink::measurement, 1.5f, false}, "x ± τ"});
+  std::sort(lines.begin(), lines.end(), [](const ProfileLine& a, const ProfileLine& b2) { return a.x < b2.x; });
+  return lines;
+}
+
 void profileMarks(Chart& chart, const SearchDetail& d, const SeedUpdateView& u, const Profile& p, double sigmas) {
   const auto mark = [&](int i, PointShape shape, ImU32 color) {
     if (i >= 0 && i < static_cast<int>(p.x.size())) {
@@ -123,20 +140,15 @@ void profileMarks(Chart& chart, const SearchDetail& d, const SeedUpdateView& u, 
   };
   if (p.pixels) {
     if (d.outcome == SearchOutcome::matched) {
-      chart.markX((d.px_match - d.profile.front().px).norm(), {ink::measurement, 1.5f, false}, "sub-pixel", 0);
+      chart.markX((d.px_match - d.profile.front().px).norm(), {ink::measurement, 1.5f, false}, "sub-pixel");
     }
   } else {
-    const BeliefView& b = drawable(u.kl_before) ? u.kl_before : u.js_before;
-    if (u.tau > 0) {
-      chart.shadeX(u.x - u.tau, u.x + u.tau, withAlpha(ink::measurement, 0.18f));
-      chart.markX(u.x, {ink::measurement, 1.5f, false}, "x ± τ", 0);
-    }
-    chart.markX(b.mu, {ink::text, 1, true}, "μ", 1);
-    chart.markX(b.mu - sigmas * b.sigma, {ink::dim, 1, true}, format("μ - %gσ", sigmas), 2);
-    chart.markX(b.mu + sigmas * b.sigma, {ink::dim, 1, true}, format("μ + %gσ", sigmas), 2);
+    if (u.tau > 0) chart.shadeX(u.x - u.tau, u.x + u.tau, withAlpha(ink::measurement, 0.18f));
+    for (const ProfileLine& line : profileLines(u, sigmas)) chart.markX(line.x, line.style, line.label);
   }
-  const bool accepted = d.best >= 0 && d.best < static_cast<int>(p.x.size()) &&
-                        p.score[static_cast<std::size_t>(d.best)] < d.max_score;
+  // After the lines: its label makes way for them.
+  if (d.max_score > 0) chart.markY(d.max_score, {ink::threshold, 1, true}, format("accepted below %g", d.max_score));
+  const bool accepted = bestAccepted(d);
   mark(d.second, PointShape::triangle, okabe::orange);
   mark(d.best, accepted ? PointShape::diamond : PointShape::cross, accepted ? okabe::sky : ink::threshold);
 }
@@ -168,23 +180,23 @@ std::string whyNoProfile(const SearchDetail& d) {
 }
 
 void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) {
-  const float room = ImGui::GetContentRegionAvail().y, least = ImGui::GetFontSize() * 10;
+  const float room = ImGui::GetContentRegionAvail().y, least = ImGui::GetFontSize() * 12;
   if (d.profile.size() < 2) return note(whyNoProfile(d));
   const Profile p = profileOf(d, c.state.seed.profile_in_pixels);
   ChartSpec spec;
   spec.id = "Score profile";
-  spec.title = "Score along the line";
-  spec.y_label = "Zero-mean SSD, grey² per px";
+  spec.title = "Zero-mean SSD along the line, grey² per px";
   spec.x_label = p.pixels ? "Distance from the far end, px" : "Inverse distance, 1/map unit (far to near)";
   spec.x = padded(finiteRange(p.x.data(), static_cast<int>(p.x.size()), false), 0.03, false);
   const Range y = finiteRange(p.score.data(), static_cast<int>(p.score.size()), false);
-  spec.y = {0, 1.08 * std::max<double>(y.hi, d.max_score > 0 && d.max_score < 4 * y.hi ? d.max_score : y.hi)};
+  // Above the limit there is room for its label.
+  const bool limit = d.max_score > 0 && d.max_score < 4 * y.hi;
+  spec.y = {0, std::max(1.08 * y.hi, limit ? 1.25 * d.max_score : 0)};
   spec.size = {0, std::max(least, room - grid(1))};
-  const bool accepted = d.best >= 0 && d.best < static_cast<int>(p.x.size()) &&
-                        p.score[static_cast<std::size_t>(d.best)] < d.max_score;
+  spec.mark_rows = p.pixels || !(u.tau > 0) ? 1 : 2;
+  const bool accepted = bestAccepted(d);
   spec.legend = {{"score", ink::text, Swatch::line},
-                 {accepted ? "best, accepted" : "best, rejected", accepted ? okabe::sky : ink::threshold,
-                  accepted ? Swatch::dot : Swatch::cross}};
+                 {bestSampleText(d), accepted ? okabe::sky : ink::threshold, accepted ? Swatch::dot : Swatch::cross}};
   if (d.second >= 0) spec.legend.push_back({"second best", okabe::orange, Swatch::dot});
   if (u.tau > 0) spec.legend.push_back({"sub-pixel result", ink::measurement, Swatch::line});
   Chart chart(spec);
@@ -192,7 +204,6 @@ void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& 
   if (p.x.size() < 120) {
     for (std::size_t i = 0; i < p.x.size(); ++i) chart.point(p.x[i], p.score[i], PointShape::circle, 1.8f, ink::text);
   }
-  if (d.max_score > 0) chart.markY(d.max_score, {ink::threshold, 1, true}, format("accepted below %g", d.max_score));
   profileMarks(chart, d, u, p, filterGates(c).search_sigmas);
   hoverProfile(c, chart, d, u, p);
 }
@@ -219,6 +230,7 @@ void shareLine(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) 
 void drawEpipolarPanel(PanelContext& c) {
   const ViewedUpdate v = viewedUpdate(c);
   if (saysNoSeed(c, v)) return;
+  if (saysNoUpdate(c, *v.trace)) return;
   if (!v.update || !v.trace->last) {
     return emptyState("No search to show", "Nothing that was held so far updated this seed up to the viewed frame");
   }

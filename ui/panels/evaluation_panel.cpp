@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cctype>
+
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
@@ -77,7 +79,9 @@ void drawEvaluationPanel(PanelContext& c) {
         "How the estimate is brought to the ground truth; one camera alone cannot know the scale, so Sim(3)");
   const TruthState& s = c.caches.truth.state();
   if (!s.valid) {
-    return emptyState("No error yet", s.problem.empty() ? std::string("Needs three poses with ground truth") : s.problem);
+    std::string why = s.problem.empty() ? std::string("needs three poses with ground truth") : s.problem;
+    why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
+    return emptyState("No error yet", why);
   }
   const bool wide = ImGui::GetContentRegionAvail().x > ImGui::GetFontSize() * 40;
   if (wide && ImGui::BeginTable("##columns", 2)) {

@@ -17,6 +17,7 @@ struct Bar {
   const char* meaning;
 };
 
+// `before`: count of the step before, 0 for the first step, -1 if nothing was counted in this frame.
 void drawBar(const Bar& bar, int full, int before, int threshold, bool failed) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float h = ImGui::GetTextLineHeight() + grid(0.5f), name = ImGui::GetFontSize() * 6;
@@ -35,39 +36,59 @@ void drawBar(const Bar& bar, int full, int before, int threshold, bool failed) {
     const float t = std::round(x + length(threshold));
     list->AddLine({t, at.y}, {t, at.y + h}, ink::text, dp(2));
   }
-  const std::string count = format("%d", bar.count);
+  const std::string count = before < 0 ? "–" : format("%d", bar.count);
   list->AddText({x + room + grid(2), at.y}, failed ? okabe::orange : ink::text, count.c_str());
   if (before > 0) {
     const std::string share = format("%d%%", static_cast<int>(100.0 * bar.count / before + 0.5));
-    list->AddText({x + room + value - ImGui::CalcTextSize(share.c_str()).x, at.y}, ink::faint, share.c_str());
+    list->AddText({x + room + value - ImGui::CalcTextSize(share.c_str()).x, at.y}, ink::dim, share.c_str());
   }
   ImGui::Dummy({name + room + value, h});
   tooltip(bar.meaning);
 }
 
-void trackingFunnel(const FrameRecord& r) {
-  const Funnel& f = r.funnel;
+void bars(const Funnel& f, bool judged) {
   const Bar bars[] = {{"Candidates", f.candidates, "Landmarks and seeds of the local map"},
                       {"Projected", f.projected, "Candidates that fall into the image"},
                       {"Tried", f.tried, "Feature alignments attempted, at most one per grid cell"},
                       {"Matched", f.matched, "Feature alignments that converged"},
                       {"Inliers", f.inliers, "Left after pose refinement; below the mark tracking is lost"}};
   const int full = std::max({f.candidates, f.projected, f.tried, f.matched, f.inliers, f.required, 1});
-  int before = 0;
+  int before = judged ? 0 : -1;
   for (const Bar& bar : bars) {
     const bool last = bar.name == bars[4].name;
     drawBar(bar, full, before, last ? f.required : 0, last && f.required > 0 && f.inliers < f.required);
-    before = bar.count;
+    if (judged) before = bar.count;
   }
-  valueRow("Inliers", format("%d landmarks, %d seeds", f.inlier_landmarks, f.inlier_seeds));
+}
+
+void inlierRows(const Funnel& f) {
+  valueRow("Inliers", counted(f.inlier_landmarks, "landmark") + ", " + counted(f.inlier_seeds, "seed"));
   const int corners = std::max(0, f.inliers - f.inlier_edgelets - f.inlier_segments);
-  valueRow("Of type", format("%d corners, %d edgelets, %d segments", corners, f.inlier_edgelets, f.inlier_segments));
-  if (f.followed_segments)
-    valueRow("Followed", format("%d segments, matched but kept out of the pose", f.followed_segments));
-  valueRow("Required", format("%d inliers", f.required));
-  valueRow("Sparse alignment", format("%d patches, RMSE %.1f levels", f.aligned_sparse, r.align_rmse));
-  valueRow("Reprojection", format("%.2f px median", r.reprojection_px));
-  valueRow("Brightness", format("gain %.3f, offset %+.1f", r.gain, r.offset));
+  valueRow("Of type", counted(corners, "corner") + ", " + counted(f.inlier_edgelets, "edgelet") + ", " +
+                          counted(f.inlier_segments, "segment"));
+  valueRow("Required", counted(f.required, "inlier"));
+}
+
+// Fields that no step of this frame has set hold zeros: they are no measurements.
+void trackingFunnel(const FrameRecord& r) {
+  const Funnel& f = r.funnel;
+  const bool judged = f.required > 0;
+  const char* no_pose = "No pose to project the map with: nothing was counted";
+  bars(f, judged);
+  if (!judged) {
+    for (const char* name : {"Inliers", "Of type", "Required"}) missingRow(name, no_pose);
+  } else {
+    inlierRows(f);
+  }
+  if (f.aligned_sparse > 0) {
+    valueRow("Sparse alignment", format("%d patches, RMSE %.1f levels", f.aligned_sparse, r.align_rmse));
+  } else {
+    missingRow("Sparse alignment", "Not aligned to the frame before");
+  }
+  if (r.pose_good && f.inliers > 0) valueRow("Reprojection", format("%.2f px median", r.reprojection_px));
+  else missingRow("Reprojection", "Only of frames with a pose");
+  if (f.aligned_sparse > 0) valueRow("Brightness", format("gain %.3f, offset %+.1f", r.gain, r.offset));
+  else missingRow("Brightness", "Not aligned to the frame before");
 }
 
 void startRows(const FrameRecord& r) {
@@ -96,7 +117,7 @@ void drawFunnelPanel(PanelContext& c) {
   }
   if (r.relocalized) valueRow("Relocalized", "first good pose after a loss", okabe::green);
   heading("Map after this frame");
-  valueRow("Size", format("%d landmarks, %d seeds, %d keyframes", r.landmarks, r.seeds, r.keyframes));
+  valueRow("Size", counted(r.landmarks, "landmark") + ", " + counted(r.seeds, "seed") + ", " + counted(r.keyframes, "keyframe"));
   valueRow("Seeds now", format("%d updated, %d converged, %d rejected", r.seed_updates, r.seeds_converged,
                                r.seeds_rejected));
 }

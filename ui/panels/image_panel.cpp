@@ -157,7 +157,7 @@ void notes(PanelContext& c, const ImageView& view, const Snapshot& s, const cv::
                        s.record.disparity_px),
                 okabe::yellow);
   }
-  if (s.record.state == TrackingState::lost) corner.line("Lost  " + s.record.reason, okabe::orange);
+  if (s.record.state == TrackingState::lost) corner.line(stateSentence(s.record), okabe::orange);
   if (!view.hovered || level.empty()) return;
   const float k = 1.0f / static_cast<float>(1 << shift);
   const int x = static_cast<int>(std::floor((view.mouse.x() + 0.5f) * k));

@@ -34,7 +34,7 @@ void row(PanelContext& c, const Event& e, int id) {
   ImGui::TableNextColumn();
   legendEntry(eventColor(e.kind), Swatch::dot, eventName(e.kind));
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(e.text.c_str());
+  elidedText(e.text, ink::text);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ void drawLogPanel(PanelContext& c) {
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (hidden > 0) ImGui::TextColored(toVec4(okabe::orange), "%d hidden by the filter", hidden);
-  else ImGui::TextDisabled("%d messages, newest first", static_cast<int>(shown.size()));
+  else ImGui::TextDisabled("%s, newest first", counted(static_cast<int>(shown.size()), "message").c_str());
   if (events.empty()) return emptyState("No messages yet", "Keyframes, losses and warnings appear here");
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("##log", 3, kFlags)) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/panel_context.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -8,6 +9,17 @@
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
+
+Range framesOf(const std::vector<std::unique_ptr<PanelCaches>>& runs) {
+  Range frames{1e30, -1e30};
+  for (const auto& caches : runs) {
+    const auto& records = caches->run.records();
+    if (records.empty()) continue;
+    frames.lo = std::min<double>(frames.lo, records.front().index);
+    frames.hi = std::max<double>(frames.hi, records.back().index);
+  }
+  return frames;
+}
 
 void moveOn(Runner& runner, UiState& state, const Command& command) {
   int from = std::exchange(state.viewed_frame, -1);  // whoever moves the engine wants to see it

@@ -41,6 +41,9 @@ struct PanelCaches {
   SeparationCurves separation;
 };
 
+/// First and last frame that any run has; lo > hi if none has one.
+Range framesOf(const std::vector<std::unique_ptr<PanelCaches>>& runs);
+
 /// Sends a command that moves the run, and follows it. A recording goes on from the frame in view, and
 /// plays from its first frame if that is the last.
 void moveOn(Runner& runner, UiState& state, const Command& command);

@@ -63,20 +63,53 @@ bool edit(const ParameterView& p, std::string& value) {
 }
 
 std::string meaningOf(const ParameterView& p) {
-  std::string text = p.meaning + "\nDefault " + p.default_value + (p.unit.empty() ? "" : " " + p.unit);
+  std::string text = p.key + "\n" + p.meaning + "\nDefault " + p.default_value + (p.unit.empty() ? "" : " " + p.unit);
   if (p.maximum > p.minimum) text += format("\nFrom %g to %g", p.minimum, p.maximum);
   if (p.needs_reset) text += "\nTakes effect after a reset";
   return text;
 }
 
-void row(PanelContext& c, const ParameterView& p, const std::string& short_name) {
+std::string shortName(const ParameterView& p) { return p.key.substr(p.key.find('.') + 1); }
+
+// Columns as wide as their longest text, the same in all groups: what is left is for the descriptions.
+struct Columns {
+  float name = 0, value = 0, unit = 0, reset = 0;
+  bool described = true;  ///< else the descriptions are in the tooltips only
+};
+
+Columns columnsFor(const std::vector<ParameterView>& parameters, bool recorded) {
+  Columns columns;
+  columns.value = ImGui::GetFontSize() * 5;
+  for (const ParameterView& p : parameters) {
+    columns.name = std::max(columns.name, ImGui::CalcTextSize(shortName(p).c_str()).x);
+    columns.unit = std::max(columns.unit, ImGui::CalcTextSize(p.unit.c_str()).x);
+    if (p.value != p.default_value && !recorded) columns.reset = buttonWidth("Default");
+  }
+  const float room = ImGui::GetContentRegionAvail().x, pad = 2 * ImGui::GetStyle().CellPadding.x;
+  const float others = columns.value + columns.unit + columns.reset + 4 * pad + grid(1);
+  columns.described = room - columns.name - others - pad > ImGui::GetFontSize() * 6;
+  if (!columns.described) columns.name = std::max(1.0f, std::min(columns.name, room - others));
+  return columns;
+}
+
+void describe(const PanelContext& c, const ParameterView& p) {
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  if (p.needs_reset && !c.status.recorded) {
+    ImGui::TextColored(toVec4(okabe::orange), "needs reset");
+    ImGui::SameLine();
+  }
+  elidedText(p.meaning, ink::dim);
+}
+
+void row(PanelContext& c, const ParameterView& p, bool described) {
   const bool changed = p.value != p.default_value;
   ImGui::PushID(p.key.c_str());
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(changed ? ink::text : ink::dim));
-  ImGui::TextUnformatted(short_name.c_str());
+  ImGui::TextUnformatted(elided(shortName(p), ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   tooltip(meaningOf(p).c_str());
   ImGui::TableNextColumn();
@@ -93,26 +126,19 @@ void row(PanelContext& c, const ParameterView& p, const std::string& short_name)
     if (ImGui::SmallButton("Default")) set(c, p.key, p.default_value);
     Probe::record("Default " + p.key, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  if (p.needs_reset && !c.status.recorded) {
-    ImGui::TextColored(toVec4(okabe::orange), "needs reset");
-    ImGui::SameLine();
-  }
-  ImGui::TextColored(toVec4(ink::faint), "%s", p.meaning.c_str());
+  if (described) describe(c, p);
   ImGui::PopID();
 }
 
-bool beginGroup(const std::string& group) {
+bool beginGroup(const std::string& group, const Columns& columns) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   heading(group.c_str());
-  if (!ImGui::BeginTable(("##" + group).c_str(), 5, kFlags)) return false;
-  const float em = ImGui::GetFontSize();
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, em * 9);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, em * 6);
-  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, em * 2.5f);
-  ImGui::TableSetupColumn("default", ImGuiTableColumnFlags_WidthFixed, em * 4);
-  ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
+  if (!ImGui::BeginTable(("##" + group).c_str(), columns.described ? 5 : 4, kFlags)) return false;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, columns.name + grid(1));
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, columns.value);
+  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, columns.unit);
+  ImGui::TableSetupColumn("default", ImGuiTableColumnFlags_WidthFixed, columns.reset);
+  if (columns.described) ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
 
@@ -127,6 +153,7 @@ void drawParametersPanel(PanelContext& c) {
     ImGui::TextColored(toVec4(okabe::orange), "%s", kReadOnly);
     Probe::record("read only", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
+  const Columns columns = columnsFor(parameters, c.status.recorded);
   std::string group;
   bool open = false;
   int hidden = 0;
@@ -140,10 +167,10 @@ void drawParametersPanel(PanelContext& c) {
     const std::string prefix = dot == std::string::npos ? "general" : p.key.substr(0, dot);
     if (prefix != group) {
       if (open) ImGui::EndTable();
-      open = beginGroup(prefix);
+      open = beginGroup(prefix, columns);
       group = prefix;
     }
-    if (open) row(c, p, dot == std::string::npos ? p.key : p.key.substr(dot + 1));
+    if (open) row(c, p, columns.described);
   }
   if (open) ImGui::EndTable();
   if (hidden > 0) ImGui::TextColored(toVec4(okabe::orange), "%d hidden by the filter", hidden);

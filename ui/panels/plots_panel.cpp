@@ -45,8 +45,8 @@ PlotSpec specOf(PanelContext& c, const ChartInfo& chart) {
     if (group != table[i].group) continue;
     spec.series.push_back({table[i].label, &run.frames(), &run.column(i), table[i].color, table[i].dashed});
   }
-  if (group == "Features" && c.record && c.record->funnel.required > 0) {
-    spec.levels.push_back({1.0 * c.record->funnel.required, okabe::vermillion, "lost below"});
+  if (const int required = group == "Features" ? run.requiredAt(c.viewedFrame()) : 0) {
+    spec.levels.push_back({1.0 * required, okabe::vermillion, "lost below"});
   }
   if (group == "Time" && c.info.rate_hz > 0) {
     spec.levels.push_back({1000 / c.info.rate_hz, ink::dim, "frame budget"});
@@ -73,18 +73,18 @@ void drawPlotsPanel(PanelContext& c) {
     if (known && c.state.plot_groups.count(chart.group)) charts.push_back(&chart);
   }
   if (charts.empty()) return emptyState("No plot chosen", "Choose quantities with the buttons above");
-  const float spacing = ImGui::GetStyle().ItemSpacing.y;
-  const float room = ImGui::GetContentRegionAvail().y - spacing * static_cast<float>(charts.size());
-  const float height = std::max(ImGui::GetFontSize() * 5.5f, room / static_cast<float>(charts.size()));
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    PlotSpec spec = specOf(c, *charts[i]);
-    spec.size = {0, std::floor(height)};
-    spec.show_x_labels = i + 1 == charts.size();
-    PlotState& state = c.state.plots[charts[i]->group];
+  const float room = ImGui::GetContentRegionAvail().y;
+  const int count = static_cast<int>(charts.size());
+  for (int i = 0; i < count; ++i) {
+    const ChartInfo& chart = *charts[static_cast<std::size_t>(i)];
+    PlotSpec spec = specOf(c, chart);
+    spec.size = {0, stackedHeight(i, count, room, ImGui::GetFontSize() * 4.8f)};
+    spec.show_x_labels = i + 1 == count;
+    PlotState& state = c.state.plots[chart.group];
     const PlotResult result = plot(spec, state, c.state.linked_x);
     if (result.clicked && c.latest) c.view(std::max(0, static_cast<int>(result.clicked_x)));
     if (result.export_csv) {
-      exportText(c, fileName(charts[i]->group), plotCsv(spec, state, c.state.linked_x));
+      exportText(c, fileName(chart.group), plotCsv(spec, state, c.state.linked_x));
     }
   }
 }

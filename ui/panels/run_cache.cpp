@@ -38,7 +38,7 @@ const std::vector<SeriesInfo>& seriesTable() {
        [](const R& r) { return goodOnly(r, r.align_rmse); }},
       {"Depth", "Median depth", okabe::purple, false,
        [](const R& r) { return goodOnly(r, r.median_depth); }},
-      {"Brightness", "Gain", okabe::yellow, false, [](const R& r) { return r.gain; }},
+      {"Brightness", "Gain", okabe::yellow, false, [](const R& r) { return r.funnel.aligned_sparse > 0 ? r.gain : NAN; }},
       {"Disparity", "Median disparity", okabe::yellow, false,
        [](const R& r) { return r.disparity_tracks > 0 ? r.disparity_px : NAN; }},
   };
@@ -91,6 +91,15 @@ const FrameRecord* RunCache::find(int frame) const {
   const auto it = std::lower_bound(records_.begin(), records_.end(), frame,
                                    [](const FrameRecord& r, int f) { return r.index < f; });
   return it != records_.end() && it->index == frame ? &*it : nullptr;
+}
+
+int RunCache::requiredAt(int frame) const {
+  // A relocalization needs more: the threshold of tracking is that of frames with a pose before it.
+  for (auto r = records_.rbegin(); r != records_.rend(); ++r) {
+    if (r->index > frame || !r->pose_good || r->relocalized) continue;
+    if (r->funnel.required > 0) return r->funnel.required;
+  }
+  return 0;
 }
 
 }  // namespace svoscope::ui

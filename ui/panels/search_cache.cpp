@@ -89,6 +89,25 @@ std::vector<Vec2f> warpedFootprint(const SeedView& seed, const SeedUpdateView& u
   return corners;
 }
 
+namespace {
+
+bool belowLimit(const SearchDetail& d) {
+  return d.best >= 0 && d.best < static_cast<int>(d.profile.size()) &&
+         d.profile[static_cast<std::size_t>(d.best)].score < d.max_score;
+}
+
+}  // namespace
+
+bool bestAccepted(const SearchDetail& d) { return belowLimit(d) && d.outcome == SearchOutcome::matched; }
+
+std::string bestSampleText(const SearchDetail& d) {
+  if (bestAccepted(d)) return "best, accepted";
+  if (d.outcome == SearchOutcome::matched || d.outcome == SearchOutcome::tracked) return "best";  // measured elsewhere
+  if (!belowLimit(d)) return "best, above the limit";
+  if (d.outcome == SearchOutcome::no_match) return "best, no sub-pixel match";
+  return std::string("best, ") + searchOutcomeName(d.outcome);
+}
+
 std::string profileCsv(const SearchDetail& d, std::int64_t seed, int frame) {
   std::string text = format("# seed %lld, frame %d, %s, max score %g, best %d, second %d\n", static_cast<long long>(seed),
                             frame, searchOutcomeName(d.outcome), d.max_score, d.best, d.second);

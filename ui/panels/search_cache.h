@@ -47,6 +47,11 @@ class SearchCache {
 std::vector<Vec2f> warpedFootprint(const SeedView& seed, const SeedUpdateView& update, const Snapshot& searched,
                                    const Pinhole& camera, int search_level);
 
+/// What became of the best sample: "best, accepted", "best, above the limit", ...
+std::string bestSampleText(const SearchDetail& detail);
+/// The measurement was made of the best sample.
+bool bestAccepted(const SearchDetail& detail);
+
 std::string profileCsv(const SearchDetail& detail, std::int64_t seed, int frame);
 
 }  // namespace svoscope::ui

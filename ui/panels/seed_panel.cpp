@@ -60,7 +60,6 @@ void options(PanelContext& c, const ViewedUpdate& v) {
 
 void stepper(PanelContext& c, const ViewedUpdate& v) {
   const int count = static_cast<int>(v.trace->updates.size());
-  if (count == 0) return note("No update of this seed is held");
   const char* none_before = v.index <= 0 ? "This is the first one held" : nullptr;
   const char* none_after = v.index >= count - 1 ? "This is the last one" : nullptr;
   if (iconButton("First update", Icon::first, {"First update held", none_before})) viewUpdate(c, *v.trace, 0);
@@ -82,11 +81,14 @@ void stepper(PanelContext& c, const ViewedUpdate& v) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-void cell(const std::string& text, ImU32 color = 0) {
+// A number that does not fit must not look like a shorter one.
+void cell(const std::string& text, ImU32 color = ink::text) {
   ImGui::TableNextColumn();
-  if (color) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-  ImGui::TextUnformatted(text.c_str());
-  if (color) ImGui::PopStyleColor();
+  const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x);
+  ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+  ImGui::TextUnformatted(shown.c_str());
+  ImGui::PopStyleColor();
+  if (shown.find("…") != std::string::npos) tooltip(text.c_str());
 }
 
 void factsTable(const std::vector<SeedFact>& facts) {
@@ -150,7 +152,6 @@ void charts(PanelContext& c, const ViewedUpdate& v) {
   ratioHistory(c, v, columns, gates, {wide ? std::floor((full - 2 * gap) * 0.32f) : half, height});
   pair();
   ratioDensityChart(v, gates, {wide ? std::floor((full - 2 * gap) * 0.32f) : half, height});
-  if (!c.state.seed.pinned.empty()) pinnedRows(c, gates);
 }
 
 }  // namespace
@@ -178,7 +179,8 @@ void drawSeedPanel(PanelContext& c) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
   header(c, v);
   options(c, v);
-  stepper(c, v);
+  const bool held = !v.trace->updates.empty();
+  if (held) stepper(c, v);
   ImGui::PopStyleVar(2);
   const SeedView* seed = v.trace->last ? &*v.trace->last : nullptr;
   const double truth = seed ? trueInverseDistance(c, *seed) : 0;
@@ -186,7 +188,9 @@ void drawSeedPanel(PanelContext& c) {
     factsTable(seedFacts(*v.update, truth));
     measurementLine(*v.update, seed, truth);
   }
-  charts(c, v);
+  if (held) charts(c, v);  // axes without an update would be made up
+  if (!c.state.seed.pinned.empty()) pinnedRows(c, filterGates(c));
+  saysNoUpdate(c, *v.trace);
 }
 
 }  // namespace svoscope::ui

@@ -84,7 +84,7 @@ void row(PanelContext& c, const SeedTrace& t, const FilterGates& gates, std::siz
   const std::string name = format("Seed %lld", static_cast<long long>(t.id));
   pen::text(list, {at.x, at.y + grid(0.5f)}, selected ? ink::selected : ink::text, name.c_str());
   if (!t.last) return;
-  const std::string status = format("%s, %d updates", seedStatusName(t.last->status), t.last->updates);
+  const std::string status = std::string(seedStatusName(t.last->status)) + ", " + counted(t.last->updates, "update");
   pen::text(list, {at.x, at.y + font + grid(0.5f)}, seedColor(*t.last), status.c_str());
   const float x = at.x + text;
   densities({{x, at.y}, {x + width, at.y + height}}, *t.last, trueInverseDistance(c, *t.last));

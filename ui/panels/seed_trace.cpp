@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <tuple>
 
 #include "ui/panels/panel_context.h"
 #include "ui/widgets/controls.h"
@@ -96,11 +97,11 @@ bool saysNoSeed(PanelContext& c, const ViewedUpdate& v) {
   const SeedView* best = nullptr;
   if (c.snapshot && c.snapshot->seeds) {
     for (const SeedView& s : *c.snapshot->seeds) {
-      if (s.visible && (!best || s.updates > best->updates)) best = &s;
+      if (s.visible && (!best || showsMore(s, *best, false))) best = &s;
     }
   }
   ImGui::BeginDisabled(!best);
-  if (button("Select a seed", {"The visible seed with most updates"}) && best) {
+  if (button("Select a seed", {"The visible point seed with most updates"}) && best) {
     c.state.selection = {Selection::Kind::seed, best->id};
   }
   ImGui::EndDisabled();
@@ -108,6 +109,27 @@ bool saysNoSeed(PanelContext& c, const ViewedUpdate& v) {
              best ? "Click a seed in the image, or take the one with most updates"
                   : "Seeds appear after the two-view start; click one in the image");
   return true;
+}
+
+bool saysNoUpdate(const PanelContext& c, const SeedTrace& trace) {
+  if (!trace.updates.empty()) return false;
+  if (trace.last && trace.last->type == FeatureType::segment) {
+    emptyState("Updates of segment seeds are not kept", "Choose the seed of a corner or an edgelet");
+  } else if (trace.last && trace.last->updates + trace.last->failures == 0) {
+    emptyState("No update of this seed yet", "It was made, but not searched for");
+  } else {
+    emptyState("No update of this seed is held", format("The history keeps frames from %d on", c.status.history_first));
+  }
+  return true;
+}
+
+bool showsMore(const SeedView& a, const SeedView& b, bool open_first) {
+  const auto rank = [open_first](const SeedView& s) {
+    const bool point = s.type != FeatureType::segment, open = s.status == SeedStatus::active;
+    const bool matched = s.outcome == SearchOutcome::matched;
+    return std::tuple(point, s.updates > 0, open_first ? (open ? 2 : 0) + (matched ? 1 : 0) : 0, s.updates);
+  };
+  return rank(a) > rank(b);
 }
 
 bool isPinned(const PanelContext& c, std::int64_t id) {

@@ -55,6 +55,12 @@ ViewedUpdate viewedUpdate(PanelContext& c);
 void viewUpdate(PanelContext& c, const SeedTrace& trace, int index);
 /// Says why there is nothing to show, and offers a seed; false if a seed is selected.
 bool saysNoSeed(PanelContext& c, const ViewedUpdate& v);
+/// Says why no update of the seed is held; false if there are some.
+bool saysNoUpdate(const PanelContext& c, const SeedTrace& trace);
+
+/// Which of two seeds has more to show: updates are kept of point seeds only. Then those still open,
+/// just matched (both only if `open_first`), and with more updates.
+bool showsMore(const SeedView& a, const SeedView& b, bool open_first);
 
 bool isPinned(const PanelContext& c, std::int64_t id);
 void togglePin(PanelContext& c, std::int64_t id);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "ui/palette.h"
@@ -56,13 +57,14 @@ void featureRows(PanelContext& c, const FeatureView& f) {
 void pointRows(const MapPointView& p) {
   heading("Landmark");
   valueRow("Position", format("%.3f, %.3f, %.3f", p.position.x(), p.position.y(), p.position.z()));
-  valueRow("Seen by", format("%d keyframes", p.observations));
+  valueRow("Seen by", counted(p.observations, "keyframe"));
   if (p.sigma > 0) valueRow("σ at promotion", format("%.4f 1/map unit", p.sigma));
 }
 
 void seedRows(PanelContext& c, const SeedView& s) {
   heading("Belief");
-  valueRow("Status", format("%s after %d updates, %d failures", seedStatusName(s.status), s.updates, s.failures),
+  valueRow("Status", format("%s after %s, %s", seedStatusName(s.status), counted(s.updates, "update").c_str(),
+                            counted(s.failures, "failure").c_str()),
            seedColor(s));
   valueRow("Last search", searchOutcomeName(s.outcome));
   valueRow("Inverse distance", format("%.4f ± %.4f 1/map unit", s.mu, s.sigma));
@@ -83,16 +85,23 @@ void seedRows(PanelContext& c, const SeedView& s) {
   referenceRow(c, s.keyframe_id);
 }
 
-PlotResult historyPlot(PanelContext& c, PlotSpec spec) {
-  spec.size = {0, ImGui::GetFontSize() * 7};
-  spec.cursor = c.viewedFrame();
-  static thread_local LinkedX own;  // the span of the history, whatever the run plots show
-  own.fit = true;
-  return plot(spec, c.state.plots[spec.id], own);
+// All plots of the panel span the frames of the history, whatever the run plots show.
+LinkedX historyFrames(const SelectionHistory& h) {
+  LinkedX x;
+  x.known = {1e30, -1e30};
+  for (const auto* frames : {&h.seed_frames, &h.frames}) {
+    if (frames->empty()) continue;
+    x.known = {std::min<double>(x.known.lo, frames->front()), std::max<double>(x.known.hi, frames->back())};
+  }
+  return x;
 }
 
-void jumpTo(PanelContext& c, const PlotResult& r) {
-  if (r.clicked) c.view(static_cast<int>(r.clicked_x));
+void historyPlot(PanelContext& c, PlotSpec spec) {
+  spec.size = {0, ImGui::GetFontSize() * 7};
+  spec.cursor = c.viewedFrame();
+  LinkedX frames = historyFrames(c.caches.selection);
+  const PlotResult result = plot(spec, c.state.plots[spec.id], frames);
+  if (result.clicked) c.view(static_cast<int>(result.clicked_x));
 }
 
 void histories(PanelContext& c) {
@@ -103,14 +112,14 @@ void histories(PanelContext& c) {
     spec.id = "Seed belief";
     spec.y_label = "Inverse distance";
     spec.series = {{"μ ± σ", &h.seed_frames, &h.mu, okabe::orange, false, &h.mu_lo, &h.mu_hi}};
-    jumpTo(c, historyPlot(c, spec));
+    historyPlot(c, spec);
     PlotSpec ratios;
     ratios.id = "Seed ratios";
     ratios.y_label = "Ratios";
     ratios.zero_based = true;
     ratios.series = {{"σ / range", &h.seed_frames, &h.sigma_ratio, okabe::sky},
                      {"Inlier ratio", &h.seed_frames, &h.inlier_ratio, okabe::purple, true}};
-    jumpTo(c, historyPlot(c, ratios));
+    historyPlot(c, ratios);
   }
   if (h.frames.size() > 1) {
     heading("As a feature");
@@ -119,12 +128,12 @@ void histories(PanelContext& c) {
     spec.y_label = "Residual, px";
     spec.zero_based = true;
     spec.series = {{"", &h.frames, &h.residual, okabe::orange}};
-    jumpTo(c, historyPlot(c, spec));
+    historyPlot(c, spec);
     PlotSpec depth;
     depth.id = "Feature depth";
     depth.y_label = "Depth, map units";
     depth.series = {{"", &h.frames, &h.depth, okabe::purple}};
-    jumpTo(c, historyPlot(c, depth));
+    historyPlot(c, depth);
   }
 }
 

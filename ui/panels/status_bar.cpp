@@ -28,9 +28,12 @@ void gap() {
 void stateParts(const PanelContext& c) {
   if (!c.record) return part(c.engineFrame() < 0 ? "Waiting for the first frame" : "This run has no such frame");
   legendEntry(stateColor(c.record->state), Swatch::dot, stateLabel(c.record->state));
-  if (!c.record->reason.empty() && c.record->reason != stateName(c.record->state)) {
+  if (const std::string reason = stateReason(*c.record); !reason.empty()) {
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float room = end - ImGui::GetItemRectMax().x - 2 * grid(3) - dp(1);
+    if (room < ImGui::GetFontSize() * 6) return;  // Funnel and Image say it, too
     gap();
-    part(c.record->reason, c.record->state == TrackingState::lost ? okabe::orange : ink::dim);
+    part(elided(reason, room), c.record->state == TrackingState::lost ? okabe::orange : ink::dim);
   }
 }
 
@@ -52,7 +55,9 @@ std::string engineText(const PanelContext& c) {
 }  // namespace
 
 void drawStatusBar(PanelContext& c) {
-  part(c.info.sequence.empty() ? "No sequence" : c.info.sequence, ink::text);
+  const std::string sequence = c.info.sequence.empty() ? "No sequence" : c.info.sequence;
+  part(elided(sequence, 0.4f * ImGui::GetContentRegionAvail().x), ink::text);
+  if (!c.info.sequence.empty()) tooltip(sequence.c_str());
   gap();
   const RunStyle& run = c.runs.style(c.runs.current());
   legendEntry(run.color, Swatch::line, run.label.c_str());

@@ -77,6 +77,24 @@ struct Strip {
   float width() const { return (hi.x - lo.x) / static_cast<float>(slowest.size()); }
 };
 
+// Frames below the strip, each under its column.
+void frameAxis(const Strip& s, const std::vector<FrameRecord>& records) {
+  if (records.empty()) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const int count = std::max(2, static_cast<int>((s.hi.x - s.lo.x) / (ImGui::GetFontSize() * 5)));
+  const int step = std::max(1, static_cast<int>(niceStep(records.back().index - records.front().index, count)));
+  for (std::size_t row = 0; row < records.size(); ++row) {
+    if (records[row].index % step != 0) continue;
+    const float share = (static_cast<float>(row) + 0.5f) / static_cast<float>(records.size());
+    const float x = std::round(s.lo.x + share * (s.hi.x - s.lo.x));
+    const std::string text = tickLabel(records[row].index, step);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    pen::line(list, {x, s.hi.y}, {x, s.hi.y + grid(0.5f)}, ink::dim);
+    pen::text(list, {std::round(std::clamp(x - width / 2, s.lo.x, s.hi.x - width)), s.hi.y + grid(0.5f)}, ink::dim,
+              text.c_str());
+  }
+}
+
 Strip makeStrip(const std::vector<FrameRecord>& records, ImVec2 lo, ImVec2 hi, double budget) {
   Strip s{lo, hi, {}, std::max(budget * 1.2, 1e-3)};
   const auto room = static_cast<std::size_t>(std::max(1.0f, (hi.x - lo.x) / dp(2)));
@@ -116,20 +134,23 @@ void drawColumns(const Strip& s, int viewed) {
 void stackedStrip(PanelContext& c, double budget) {
   const ImVec2 lo = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const ImVec2 hi{lo.x + std::max(8.0f, room.x), lo.y + std::max(grid(12), room.y - grid(1))};
+  const ImVec2 hi{lo.x + std::max(8.0f, room.x), lo.y + std::max(grid(12), room.y - grid(1.5f) - ImGui::GetFontSize())};
   ImDrawList* list = ImGui::GetWindowDrawList();
   pen::rectFilled(list, lo, hi, ink::canvas);
   const bool clicked = ImGui::InvisibleButton("##strip", {hi.x - lo.x, hi.y - lo.y});
+  const bool hovered = ImGui::IsItemHovered();
   Probe::record("timing:strip", lo, hi);
   const Strip s = makeStrip(c.caches.run.records(), lo, hi, budget);
   drawColumns(s, c.viewedFrame());
+  frameAxis(s, c.caches.run.records());
+  ImGui::Dummy({1, ImGui::GetFontSize()});  // the axis
   if (budget > 0 && budget < s.full) {
     const float y = std::round(hi.y - static_cast<float>(budget / s.full) * (hi.y - lo.y));
     dashedLine(list, {{lo.x, y}, {hi.x, y}}, withAlpha(ink::text, 0.7f), dp(1), dp(4), dp(4));
     const std::string text = format("%.0f ms", budget);
     outlinedText(list, {lo.x + grid(1), y - ImGui::GetTextLineHeight()}, ink::text, text.c_str());
   }
-  if (!ImGui::IsItemHovered() && !clicked) return;
+  if (!hovered && !clicked) return;
   const auto k = static_cast<std::size_t>(std::max(0.0f, (ImGui::GetIO().MousePos.x - lo.x) / s.width()));
   if (k >= s.slowest.size() || !s.slowest[k]) return;
   ImGui::SetTooltip("Frame %d  %.1f ms", s.slowest[k]->index, partsSum(*s.slowest[k]));

@@ -68,12 +68,17 @@ TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory&
   s.mode = mode;
   s.error.assign(records.size(), NAN);
   if (truth.empty() || records.empty()) return s;
+  const Trajectory estimate = estimateOf(records);
+  if (estimate.empty()) {
+    s.problem = "no frame has a pose yet";
+    return s;
+  }
   EvalOptions options;
   options.alignment = mode == AlignMode::none  ? Alignment::none
                       : mode == AlignMode::se3 ? Alignment::se3
                                                : Alignment::sim3;
   options.max_dt = kMaxDt;
-  const auto result = evaluate(truth, estimateOf(records), options);
+  const auto result = evaluate(truth, estimate, options);
   if (!result.ok()) {
     s.problem = result.error().what;
     return s;

@@ -2,22 +2,26 @@
 #include "ui/surface/surface.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include "ui/surface/headless.h"
 #include "ui/surface/window.h"
 
 namespace svoscope::ui {
-namespace {
 
-bool displayExists() {
+std::string displayName() {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
     const char* value = std::getenv(name);
-    if (value && *value) return true;
+    if (value && *value) return value;
   }
-  return false;
+  return "";
 }
 
-}  // namespace
+Error displayError(std::string what) {
+  return usageError(std::move(what), "window",
+                    "set DISPLAY to one that is there, start one by xvfb-run svoscope SEQUENCE, or use "
+                    "--headless to render without a window");
+}
 
 Result<std::unique_ptr<Surface>> makeSurface(SurfaceKind kind, SurfaceSize size, float scale) {
   switch (kind) {
@@ -29,10 +33,7 @@ Result<std::unique_ptr<Surface>> makeSurface(SurfaceKind kind, SurfaceSize size,
     case SurfaceKind::window:
       break;
   }
-  if (!displayExists()) {
-    return Error{ErrorKind::usage, "there is no display to open a window on", "window",
-                 "set DISPLAY, or use --headless to render without one"};
-  }
+  if (displayName().empty()) return displayError("there is no display to open a window on: DISPLAY is not set");
   return makeWindowSurface(size, scale);
 }
 

@@ -235,14 +235,7 @@ Result<std::unique_ptr<Surface>> makeWindowSurface(SurfaceSize size, float scale
   // A software renderer then draws in our own thread, which yields to the engine, instead of in one
   // per core, which would not. GPU drivers ignore this.
   setenv("LP_NUM_THREADS", "0", 0);
-  const Error failed{ErrorKind::internal, "", "window",
-                     "check DISPLAY, or use --headless to render without a window"};
-  const auto error = [&failed](const std::string& what) {
-    Error e = failed;
-    e.what = what + ": " + lastGlfwError();
-    return e;
-  };
-  if (!glfwInit()) return error("the window system cannot be reached");
+  if (!glfwInit()) return displayError("the display " + displayName() + " cannot be opened");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -252,7 +245,7 @@ Result<std::unique_ptr<Surface>> makeWindowSurface(SurfaceSize size, float scale
   const SurfaceSize fitted = fitToScreen(size);
   GLFWwindow* window = glfwCreateWindow(fitted.width, fitted.height, "svoscope", nullptr, nullptr);
   if (!window) {
-    const Error e = error("no window with OpenGL 3.3");
+    const Error e = displayError("the display " + displayName() + " has no window with OpenGL 3.3: " + lastGlfwError());
     glfwTerminate();
     return e;
   }

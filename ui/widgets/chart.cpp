@@ -19,9 +19,9 @@ constexpr float kFar = 1e5f;  // pixels beyond this only lose precision
 ImVec2 bounded(ImVec2 p) { return {std::clamp(p.x, -kFar, kFar), std::clamp(p.y, -kFar, kFar)}; }
 
 std::string tickText(double t, double step, bool log) {
-  if (log && t > 0 && (t < 0.9e-3 || t > 1.1e3)) return format("%.0fe%.0f", t / std::pow(10, std::floor(std::log10(t) + 1e-6)), std::floor(std::log10(t) + 1e-6));
-  if (!log && t != 0 && std::abs(step) < 1e-3) return format("%.1e", t);
-  return tickLabel(t, log ? t : step);
+  if (log) return logTickLabel(t);
+  if (t != 0 && std::abs(step) < 1e-3) return format("%.1e", t);
+  return tickLabel(t, step);
 }
 
 // Title and legend, wrapped within `width`; the height they take.
@@ -83,12 +83,14 @@ Chart::~Chart() {
 void Chart::layOut(const ChartSpec& spec) {
   const float font = ImGui::GetFontSize();
   const float width = spec.size.x > 0 ? spec.size.x : ImGui::GetContentRegionAvail().x;
-  const float top = ImGui::GetCursorScreenPos().y + (spec.y_label.empty() ? 0 : font);
+  const float rows = static_cast<float>((spec.y_label.empty() ? 0 : 1) + spec.mark_rows);
+  const float top = ImGui::GetCursorScreenPos().y + rows * font;
   lo_ = {std::round(start_.x + (spec.y_ticks ? font * 2.9f : grid(1.5f))), std::round(top + grid(0.5f))};
   hi_ = {std::round(start_.x + width - grid(1.5f)),
          std::round(bottom_ - font - grid(1) - (spec.x_label.empty() ? 0 : font))};
   x_ = {usable(spec.x, spec.log_x), lo_.x, hi_.x, spec.log_x};
   y_ = {usable(spec.y, spec.log_y), hi_.y, lo_.y, spec.log_y};
+  free_from_.assign(static_cast<std::size_t>(spec.mark_rows), start_.x);
 }
 
 void Chart::axes(const ChartSpec& spec) {
@@ -97,17 +99,21 @@ void Chart::axes(const ChartSpec& spec) {
   const int count = std::max(3, static_cast<int>((hi_.y - lo_.y) / (font * 1.8f)));
   const auto ticks = spec.log_y ? logTicks(y_.data, count) : linearTicks(y_.data, count);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : y_.data.span();
+  float free_below = hi_.y + font;  // ticks go upwards; labels that would lie on one another are left out
   for (const double t : ticks) {
     const float y = std::round(y_.toPixel(t));
     if (!spec.y_ticks || y < lo_.y - 1 || y > hi_.y + 1) continue;
     pen::line(list_, {lo_.x, y}, {hi_.x, y}, ink::grid);
     const std::string text = tickText(t, step, spec.log_y);
     const float w = ImGui::CalcTextSize(text.c_str()).x;
-    const float ty = std::clamp(y - font / 2, lo_.y - font * 0.2f, hi_.y - font * 0.8f);
-    pen::text(list_, {lo_.x - w - grid(1), std::round(ty)}, ink::dim, text.c_str());
+    const float ty = std::round(std::clamp(y - font / 2, lo_.y - font * 0.2f, hi_.y - font * 0.8f));
+    if (ty + font > free_below) continue;
+    free_below = ty;
+    pen::text(list_, {lo_.x - w - grid(1), ty}, ink::dim, text.c_str());
   }
   if (!spec.y_label.empty()) {
-    pen::text(list_, {start_.x, std::round(lo_.y - font - grid(0.25f))}, ink::dim, spec.y_label.c_str());
+    const float y = lo_.y - font * static_cast<float>(1 + spec.mark_rows) - grid(0.25f);
+    pen::text(list_, {start_.x, std::round(y)}, ink::dim, spec.y_label.c_str());
   }
   xAxis(spec);
 }
@@ -204,10 +210,27 @@ void Chart::markX(double value, const LineStyle& s, const std::string& label, in
   const float x = std::round(x_.toPixel(value));
   if (x < lo_.x - 1 || x > hi_.x + 1) return;
   dashedLine(list_, {{x, lo_.y}, {x, hi_.y}}, s.color, dp(s.width), dp(4), s.dashed ? dp(4) : 0);
+  marked_x_.push_back(x);
   if (label.empty()) return;
+  if (!free_from_.empty()) return labelAbove(x, s.color, label);
   const float w = ImGui::CalcTextSize(label.c_str()).x;
   const float tx = x + grid(1) + w > hi_.x ? x - w - grid(1) : x + grid(1);
   outlinedText(list_, {tx, lo_.y + grid(0.5f) + static_cast<float>(row) * ImGui::GetFontSize()}, ink::text, label.c_str());
+}
+
+// In the first row where nothing is in the way; marks come from left to right.
+void Chart::labelAbove(float x, ImU32 color, const std::string& label) {
+  const float font = ImGui::GetFontSize(), w = ImGui::CalcTextSize(label.c_str()).x;
+  const float tx = std::round(std::clamp(x - w / 2, start_.x, std::max(start_.x, hi_.x - w)));
+  for (std::size_t row = 0; row < free_from_.size(); ++row) {
+    if (tx < free_from_[row]) continue;
+    free_from_[row] = tx + w + grid(1.5f);
+    pen::popClipRect(list_);
+    const float y = lo_.y - font * static_cast<float>(row + 1) - grid(0.25f);
+    pen::text(list_, {tx, std::round(y)}, color, label.c_str());
+    pen::pushClipRect(list_, lo_, hi_, true);
+    return;
+  }
 }
 
 void Chart::markY(double value, const LineStyle& s, const std::string& label) {
@@ -217,8 +240,10 @@ void Chart::markY(double value, const LineStyle& s, const std::string& label) {
   dashedLine(list_, {{lo_.x, y}, {hi_.x, y}}, s.color, dp(s.width), dp(4), s.dashed ? dp(4) : 0);
   if (label.empty()) return;
   const float w = ImGui::CalcTextSize(label.c_str()).x, font = ImGui::GetFontSize();
-  const ImVec2 p{hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1};
-  pen::rectFilled(list_, {p.x - grid(0.5f), p.y}, {hi_.x, p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
+  ImVec2 p{hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1};
+  const auto crossed = [&](float x) { return x > p.x - grid(1) && x < p.x + w + grid(1); };
+  if (std::any_of(marked_x_.begin(), marked_x_.end(), crossed)) p.x = lo_.x + grid(1);
+  pen::rectFilled(list_, {p.x - grid(0.5f), p.y}, {p.x + w + grid(0.5f), p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
   pen::text(list_, p, s.color, label.c_str());
 }
 

@@ -25,6 +25,7 @@ struct ChartSpec {
   Range x, y;
   bool log_x = false, log_y = false;
   bool y_ticks = true;       ///< densities need none
+  int mark_rows = 0;         ///< rows above the data area for the labels of markX; 0: they stand inside
   ImVec2 size{0, 0};
   std::vector<ChartLegend> legend;
 };
@@ -54,8 +55,10 @@ class Chart {
   void errorBar(double x, double lo, double hi, ImU32 color);
   /// Horizontal bar with caps at a height of the data area (0 bottom, 1 top).
   void spanAt(double lo, double hi, float height, ImU32 color);
-  /// Vertical line; the label stands in row `row` from the top.
+  /// Vertical line; the label stands in row `row` from the top, or above the data area if there are rows
+  /// for that: then marks are made from left to right.
   void markX(double x, const LineStyle& style, const std::string& label = "", int row = 0);
+  /// The label stands at the right end, or at the left one if a vertical line made before is there.
   void markY(double y, const LineStyle& style, const std::string& label = "");
   void shadeX(double lo, double hi, ImU32 color);
 
@@ -79,11 +82,14 @@ class Chart {
   void layOut(const ChartSpec& spec);
   void axes(const ChartSpec& spec);
   void xAxis(const ChartSpec& spec);
+  void labelAbove(float x, ImU32 color, const std::string& label);
 
   ImDrawList* list_ = nullptr;
   ImVec2 start_, lo_, hi_, mouse_;
   Axis x_, y_;
   float bottom_ = 0;
+  std::vector<float> free_from_;  ///< per row of labels above: pixel from which it is free
+  std::vector<float> marked_x_;   ///< pixels of the vertical lines
   bool hovered_ = false, clicked_ = false;
 };
 

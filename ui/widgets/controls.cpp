@@ -3,9 +3,6 @@
 
 #include <imgui/imgui_stdlib.h>
 
-#include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "ui/palette.h"
 #include "ui/theme.h"
@@ -187,84 +184,6 @@ void OptionBar::item(const char* label, bool& value, const char* hint) {
   toggle(label, value, hint);
 }
 
-void valueRow(const char* name, const std::string& value, ImU32 color) {
-  const float start = ImGui::GetCursorPosX();
-  ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
-  ImGui::TextUnformatted(name);
-  pen::itemText(ink::dim, name);
-  ImGui::PopStyleColor();
-  const float column = start + ImGui::GetFontSize() * 9.5f;
-  const float value_x = std::max(column, start + ImGui::GetItemRectSize().x + grid(2));
-  ImGui::SameLine(0, 0);
-  ImGui::SetCursorPosX(value_x);  // unlike SameLine(x), right in table columns, too
-  float room = ImGui::GetContentRegionAvail().x;
-  if (room < ImGui::GetFontSize() * 7 && ImGui::CalcTextSize(value.c_str()).x > room) {  // below the name
-    ImGui::NewLine();
-    ImGui::SetCursorPosX(start + grid(3));
-    room = ImGui::GetContentRegionAvail().x;
-  }
-  if (color) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-  const std::string shown = wrapped(value, room);
-  ImGui::TextUnformatted(shown.c_str());
-  pen::itemText(color ? color : ink::text, shown.c_str());
-  if (color) ImGui::PopStyleColor();
-}
-
-void heading(const char* text) {
-  ImGui::Dummy({0, grid(0.5f)});
-  ImGui::TextUnformatted(text);
-  pen::itemText(ink::text, text);
-  const ImVec2 at = ImGui::GetItemRectMax();
-  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
-  const float y = std::round((ImGui::GetItemRectMin().y + at.y) / 2);
-  if (right > at.x + grid(2)) {
-    pen::line(ImGui::GetWindowDrawList(), {at.x + grid(2), y}, {right, y}, ink::line);
-  }
-}
-
-void note(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, toVec4(ink::dim));
-  const std::string shown = wrapped(text, ImGui::GetContentRegionAvail().x);
-  ImGui::TextUnformatted(shown.c_str());
-  pen::itemText(ink::dim, shown.c_str());
-  ImGui::PopStyleColor();
-}
-
-std::string wrapped(const std::string& text, float width) {
-  std::string result = text;
-  std::size_t line = 0;
-  for (std::size_t blank = text.find(' '); blank != std::string::npos;) {
-    const std::size_t next = text.find(' ', blank + 1);
-    const std::size_t end = next == std::string::npos ? text.size() : next;
-    if (ImGui::CalcTextSize(text.data() + line, text.data() + end).x > width) {
-      result[blank] = '\n';
-      line = blank + 1;
-    }
-    blank = next;
-  }
-  return result;
-}
-
-void emptyState(const char* title, const std::string& what_to_do) {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float width = std::min(room.x, ImGui::GetFontSize() * 36);
-  if (width < 1) return;
-  const ImVec2 title_size = ImGui::CalcTextSize(title, nullptr, false, width);
-  const ImVec2 text_size = ImGui::CalcTextSize(what_to_do.c_str(), nullptr, false, width);
-  const float height = title_size.y + text_size.y + grid(1);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float cx = at.x + room.x / 2;
-  const float y = at.y + std::max(0.0f, (room.y - height) * 0.42f);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  ImFont* font = ImGui::GetFont();
-  const float size = ImGui::GetFontSize();
-  list->AddText(font, size, {std::round(cx - title_size.x / 2), std::round(y)}, ink::text, title,
-                nullptr, width);
-  list->AddText(font, size,
-                {std::round(cx - text_size.x / 2), std::round(y + title_size.y + grid(1))},
-                ink::dim, what_to_do.c_str(), nullptr, width);
-}
-
 float legendWidth(const char* text) {
   return ImGui::GetFontSize() + ImGui::CalcTextSize(text).x;
 }
@@ -281,18 +200,6 @@ void legendEntry(ImU32 color, Swatch kind, const char* text) {
   pen::itemText(ink::dim, text);
   ImGui::PopStyleColor();
   ImGui::EndGroup();
-}
-
-std::string format(const char* pattern, ...) {
-  va_list args, again;
-  va_start(args, pattern);
-  va_copy(again, args);
-  const int length = std::vsnprintf(nullptr, 0, pattern, args);
-  va_end(args);
-  std::string text(static_cast<std::size_t>(std::max(0, length)), '\0');
-  std::vsnprintf(text.data(), text.size() + 1, pattern, again);
-  va_end(again);
-  return text;
 }
 
 }  // namespace svoscope::ui

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Buttons, toggles and value rows: ImGui's, recorded for the probe and saying why they are
-// disabled.
+// Buttons, toggles and legends: ImGui's, recorded for the probe and saying why they are disabled.
 #pragma once
 
 #include <imgui/imgui.h>
 
 #include <string>
 #include <vector>
+
+#include "ui/widgets/text.h"
 
 namespace svoscope::ui {
 
@@ -54,23 +55,9 @@ class OptionBar {
 /// Whether the rest of the current window is too small for toolbars of several rows.
 bool shortOfRoom();
 
-/// Name on the left in dim ink, value in a column; for lists of facts.
-void valueRow(const char* name, const std::string& value, ImU32 color = 0);
-/// A thin heading with a rule.
-void heading(const char* text);
-/// Text in dim ink, wrapped.
-void note(const std::string& text);
-/// With line breaks at blanks so that it fits `width`; unlike ImGui's own, never inside of a number.
-std::string wrapped(const std::string& text, float width);
-/// A centred message for a panel that has nothing to show yet.
-void emptyState(const char* title, const std::string& what_to_do);
-
 enum class Swatch { square, line, dashed, dotted, cross, dot, ring };
 /// Colour sample and text on the current line.
 void legendEntry(ImU32 color, Swatch kind, const char* text);
 float legendWidth(const char* text);
-
-/// printf into a std::string.
-std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
 
 }  // namespace svoscope::ui

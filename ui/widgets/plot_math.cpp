@@ -38,12 +38,41 @@ std::vector<double> linearTicks(Range range, int max_count) {
   return ticks;
 }
 
-std::vector<double> logTicks(Range range, int max_count) {
-  const double lo = std::ceil(logOf(range.lo) - 1e-9), hi = std::floor(logOf(range.hi) + 1e-9);
-  if (hi - lo < 1) return linearTicks(range, max_count);
+namespace {
+
+/// Multiples of the powers of ten inside the range, rising.
+std::vector<double> multiples(Range range, const std::vector<double>& factors) {
   std::vector<double> ticks;
-  const double step = std::max(1.0, std::ceil((hi - lo + 1) / std::max(1, max_count)));
-  for (double e = lo; e <= hi; e += step) ticks.push_back(std::pow(10.0, e));
+  for (double e = std::floor(logOf(range.lo)); e <= logOf(range.hi); e += 1) {
+    for (const double factor : factors) {
+      const double tick = factor * std::pow(10.0, e);
+      if (tick >= range.lo * (1 - 1e-9) && tick <= range.hi * (1 + 1e-9)) ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
+std::vector<double> thinned(const std::vector<double>& ticks, int max_count) {
+  const std::size_t most = static_cast<std::size_t>(std::max(1, max_count));
+  const std::size_t step = (ticks.size() + most - 1) / most;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < ticks.size(); i += step) kept.push_back(ticks[i]);
+  return kept;
+}
+
+}  // namespace
+
+std::vector<double> logTicks(Range range, int max_count) {
+  constexpr double kNarrow = 4;  // hi over lo below which multiples leave one side of 1 bare
+  constexpr std::size_t kEnough = 3;
+  if (!(range.lo > 0) || !std::isfinite(range.hi)) return {};
+  if (range.hi < kNarrow * range.lo) return linearTicks(range, max_count);
+  std::vector<double> ticks = thinned(multiples(range, {1}), max_count);
+  for (const auto& factors : {std::vector<double>{1, 2, 5}, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+    if (ticks.size() >= kEnough) break;
+    const auto finer = multiples(range, factors);
+    if (finer.size() > ticks.size() && static_cast<int>(finer.size()) <= std::max(2, max_count)) ticks = finer;
+  }
   return ticks;
 }
 
@@ -60,6 +89,17 @@ std::string tickLabel(double value, double step) {
   }
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string logTickLabel(double value) {
+  char text[32];
+  if (value <= 0 || (value > 0.9e-3 && value < 9.9e3)) {
+    std::snprintf(text, sizeof text, "%.4g", value);
+  } else {
+    const double exponent = std::floor(std::log10(value) + 1e-9);
+    std::snprintf(text, sizeof text, "%.3ge%.0f", value / std::pow(10.0, exponent), exponent);
+  }
   return text;
 }
 

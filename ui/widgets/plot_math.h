@@ -17,12 +17,15 @@ struct Range {
 
 /// Multiples of 1, 2 or 5 times a power of ten inside the range, at most `max_count` of them.
 std::vector<double> linearTicks(Range range, int max_count);
-/// Powers of ten inside the range (thinned to `max_count`), or linear ticks if there are too few.
+/// Powers of ten inside the range, thinned to `max_count`; if there are fewer than three, also 2 and 5
+/// times them, or every multiple; in a range so narrow that a log axis is nearly linear, linear ticks.
 std::vector<double> logTicks(Range range, int max_count);
 /// The 1-2-5 step that linearTicks uses.
 double niceStep(double span, int max_count);
 /// Shortest text that tells neighbouring ticks apart; "k" and "M" for thousands and millions.
 std::string tickLabel(double value, double step);
+/// The same on a log axis, where every tick has a step of its own.
+std::string logTickLabel(double value);
 
 /// Smallest range around the finite values (positive ones only for a log axis); lo > hi if none.
 Range finiteRange(const float* values, int count, bool positive_only);

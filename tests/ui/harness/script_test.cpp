@@ -3,6 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <thread>
+
+#include "tests/support/support.h"
 
 namespace svoscope::ui {
 namespace {
@@ -47,6 +52,30 @@ TEST(Script, ErrorsNameTheLineAndWhatIsKnown) {
 TEST(Script, HelpListsEveryCommand) {
   for (const char* name : {"open", "step", "run-to", "select", "shot", "expect", "drag"})
     EXPECT_THAT(scriptHelp(), HasSubstr(name));
+}
+
+TEST(Script, PicturesArePng) {
+  EXPECT_THAT(errorOf("step\nshot a.jpg\n"), HasSubstr("demo.script:2: 'a.jpg' does not end in .png"));
+  EXPECT_EQ(errorOf("shot a\nshot sub/a.png Image\n"), "");
+}
+
+TEST(Script, AFolderIsNoScript) {
+  const test::TemporaryFolder folder;
+  const Result<Script> script = readScript(folder.path());
+  ASSERT_FALSE(script.ok());
+  EXPECT_EQ(script.error().kind, ErrorKind::input);
+  EXPECT_THAT(script.error().message(), HasSubstr("folder"));
+}
+
+TEST(Script, APipeIsReadAndNamedInMessages) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { test::writeText(pipe, "step\nstpe\n"); });
+  const Result<Script> script = readScript(pipe);
+  writer.join();
+  ASSERT_FALSE(script.ok());
+  EXPECT_THAT(script.error().message(), HasSubstr(pipe + ":2"));
 }
 
 TEST(Script, AnUnreadableFileIsAnInputError) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/fake_runner.h"
+#include "tests/support/scripted_runner.h"
 #include "ui/palette.h"
 #include "ui/panels/run_cache.h"
 
@@ -41,6 +42,46 @@ TEST(Truth, WithoutGroundTruthThereIsNothing) {
   runner.runTo(30);
   EXPECT_FALSE(alignTruth(runner.records(0), {}, AlignMode::sim3).valid);
   EXPECT_FALSE(alignTruth({}, runner.info().ground_truth, AlignMode::sim3).valid);
+}
+
+TEST(Truth, WithoutAPoseItSaysSo) {
+  FakeOptions options;
+  options.start = 1000;
+  options.lost_to = 0;
+  FakeRunner runner(options);
+  runner.runTo(30);
+  const TruthState s = alignTruth(runner.records(0), runner.info().ground_truth, AlignMode::sim3);
+  EXPECT_FALSE(s.valid);
+  EXPECT_EQ(s.problem, "no frame has a pose yet") << "the timestamps are not to blame";
+}
+
+TEST(RunCache, TheThresholdIsThatOfTheLastFrameHeldAgainstIt) {
+  std::vector<FrameRecord> rows = test::fakeRecords(13);
+  for (FrameRecord& r : rows) r.funnel.required = r.pose_good ? 40 : 0;
+  rows[12].funnel.required = 60;  // relocalization needs more
+  test::ScriptedRunner runner(rows);
+  runner.send({Command::Kind::play, -1, "", ""});
+  while (runner.pump()) {
+  }
+  RunCache run;
+  run.update(runner);
+  EXPECT_EQ(run.requiredAt(1), 0) << "before the start";
+  EXPECT_EQ(run.requiredAt(5), 40);
+  EXPECT_EQ(run.requiredAt(11), 40) << "lost";
+  EXPECT_EQ(run.requiredAt(12), 40);
+}
+
+TEST(Palette, StatesAreNamedOnce) {
+  FrameRecord r;
+  r.state = TrackingState::lost;
+  r.reason = "lost, no keyframe looks like this frame";
+  EXPECT_EQ(stateSentence(r), "Lost: no keyframe looks like this frame");
+  r.reason = "31 inliers < 40 required";
+  EXPECT_EQ(stateSentence(r), "Lost: 31 inliers < 40 required");
+  r.state = TrackingState::tracking;
+  r.reason = "tracking";
+  EXPECT_EQ(stateSentence(r), "Tracking");
+  EXPECT_EQ(stateReason(r), "");
 }
 
 TEST(RunCache, FetchesIncrementallyAndStartsAgainAfterReset) {

@@ -11,18 +11,30 @@
 namespace svoscope::ui {
 namespace {
 
-TEST(Surface, WithoutADisplayTheErrorOffersHeadless) {
+/// The error of a window on that display; null: DISPLAY is not set.
+Error errorOn(const char* name) {
   const char* display = std::getenv("DISPLAY");
   const std::string saved = display ? display : "";
   const char* wayland = std::getenv("WAYLAND_DISPLAY");
   const std::string saved_wayland = wayland ? wayland : "";
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
+  if (name) setenv("DISPLAY", name, 1);
   const auto surface = makeSurface(SurfaceKind::automatic, {320, 240}, 1);
+  if (name) unsetenv("DISPLAY");
   if (display) setenv("DISPLAY", saved.c_str(), 1);
   if (wayland) setenv("WAYLAND_DISPLAY", saved_wayland.c_str(), 1);
-  ASSERT_FALSE(surface.ok());
-  EXPECT_THAT(surface.error().message(), testing::HasSubstr("--headless"));
+  return surface.ok() ? Error{} : surface.error();
+}
+
+TEST(Surface, WithoutADisplayTheErrorSaysHowToGoOn) {
+  for (const char* name : {static_cast<const char*>(nullptr), ":77"}) {
+    const Error error = errorOn(name);
+    EXPECT_EQ(error.kind, ErrorKind::usage);
+    EXPECT_THAT(error.message(), testing::HasSubstr(name ? name : "DISPLAY is not set"));
+    EXPECT_THAT(error.message(), testing::HasSubstr("--headless"));
+    EXPECT_THAT(error.message(), testing::HasSubstr("xvfb-run"));
+  }
 }
 
 TEST(Surface, TheNullSurfaceHasSizeAndScaleButNoGl) {

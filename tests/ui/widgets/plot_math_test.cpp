@@ -43,6 +43,27 @@ TEST(PlotMath, LogTicksArePowersOfTen) {
   EXPECT_DOUBLE_EQ(ticks.back(), 100);
 }
 
+TEST(PlotMath, LogTicksWithinADecadeLieOnBothSidesOfOne) {
+  for (const Range r : {Range{0.25, 4}, Range{0.5, 2}, Range{0.3, 3}}) {
+    for (const int count : {4, 8, 12}) {
+      const auto ticks = logTicks(r, count);
+      EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](double t) { return t < 0.999; })) << r.lo << ", " << count;
+      EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](double t) { return t > 1.001; })) << r.lo << ", " << count;
+      EXPECT_LE(static_cast<int>(ticks.size()), count + 1);
+      EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
+    }
+  }
+  EXPECT_TRUE(logTicks({0, 1}, 4).empty()) << "no log axis has a zero";
+}
+
+TEST(PlotMath, LogLabelsAreWhatTheyStandAt) {
+  EXPECT_EQ(logTickLabel(0.25), "0.25");
+  EXPECT_EQ(logTickLabel(1.5), "1.5");
+  EXPECT_EQ(logTickLabel(0.001), "0.001");
+  EXPECT_EQ(logTickLabel(2e-5), "2e-5");
+  EXPECT_EQ(logTickLabel(1e4), "1e4");
+}
+
 TEST(PlotMath, LabelsTellTicksApart) {
   EXPECT_EQ(tickLabel(0.25, 0.05), "0.25");
   EXPECT_EQ(tickLabel(3, 1), "3");
