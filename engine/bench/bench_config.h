@@ -49,10 +49,10 @@ struct BenchConfig {
   std::vector<std::string> methods;
   std::vector<BenchVariant> variants;  ///< at least one
   Assignments parameters;              ///< of all cells, before those of the variant
-  int runs = 3;
+  int runs = 4;
   bool sync = false;           ///< without threads
   double timeout_s = 1800;     ///< of a cell
-  double least_tracked = 0.5;  ///< runs that track less of the frames after the start have failed
+  double least_tracked = 0.9;  ///< runs that track less of the frames after the start have failed
   EvalOptions evaluation;
   std::vector<BenchPeer> peers;
   std::string text;  ///< of the file

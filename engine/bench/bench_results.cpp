@@ -252,6 +252,15 @@ const RunResult* BenchResults::typical(std::size_t sequence, std::size_t system)
   return good[(good.size() - 1) / 2];
 }
 
+bool BenchResults::completes(std::size_t sequence, std::size_t system) const {
+  int present = 0, good = 0;
+  for (const RunResult& run : runs[sequence][system]) {
+    present += run.present;
+    good += run.good;
+  }
+  return present > 0 && good == present;
+}
+
 std::string BenchResults::failure(std::size_t sequence, std::size_t system) const {
   std::vector<std::string> reasons;
   for (const RunResult& run : runs[sequence][system]) {

@@ -76,6 +76,8 @@ struct BenchResults {
                                const FigureInfo& info) const;
   /// The run with the median ATE among those that count (the lower of two); null if none does.
   const RunResult* typical(std::size_t sequence, std::size_t system) const;
+  /// Every run that there is counts, and there is one.
+  bool completes(std::size_t sequence, std::size_t system) const;
   /// Why no run counts: "never initialised", "not run". Empty if one does.
   std::string failure(std::size_t sequence, std::size_t system) const;
 };

@@ -25,7 +25,7 @@ SequenceComparison compareRuns(std::size_t sequence, const PairedGroup& g) {
   const PairedDifference d = bootstrapPaired({g});
   c.ratio = std::exp(d.mean);
   c.ratios = {std::exp(d.interval.low), std::exp(d.interval.high)};
-  if (std::min(g.a.size(), g.b.size()) < 3) return c;
+  if (std::min(g.a.size(), g.b.size()) < kLeastRuns) return c;
   const auto [a_low, a_high] = std::minmax_element(g.a.begin(), g.a.end());
   const auto [b_low, b_high] = std::minmax_element(g.b.begin(), g.b.end());
   if (c.ratios.high < 1 && *a_high < *b_low) c.verdict = Verdict::better;
@@ -57,7 +57,7 @@ std::string overall(const BenchResults& results, const Comparison& c) {
   const std::string& b = results.systems[c.b].system.label;
   const std::string what = c.figure->label;
   if (c.sequences.empty())
-    return fmt::format("{}: {} and {} complete no sequence in common.", what, a, b);
+    return fmt::format("{}: {} and {} complete no sequence in common in every run.", what, a, b);
   if (static_cast<int>(c.sequences.size()) < kLeastSequences)
     return fmt::format("{}: undecided, {}; a verdict takes {} sequences.", what, ratioText(c),
                        kLeastSequences);
@@ -85,9 +85,10 @@ Comparison compare(const BenchResults& results, std::size_t a, std::size_t b,
   c.figure = &figure;
   std::vector<PairedGroup> groups;
   for (std::size_t s = 0; s < results.config.sequences.size(); ++s) {
-    const bool a_done = results.typical(s, a) != nullptr, b_done = results.typical(s, b) != nullptr;
+    const bool a_done = results.completes(s, a), b_done = results.completes(s, b);
     if (a_done != b_done) (a_done ? c.only_a : c.only_b).push_back(s);
     if (!a_done && !b_done && !results.config.sequences[s].still) c.neither.push_back(s);
+    if (!a_done || !b_done) continue;  // the runs that are left would be compared with all of the other
     PairedGroup group{logs(results.values(s, a, figure)), logs(results.values(s, b, figure))};
     if (group.a.empty() || group.b.empty()) continue;
     c.sequences.push_back(compareRuns(s, group));
@@ -98,8 +99,8 @@ Comparison compare(const BenchResults& results, std::size_t a, std::size_t b,
   c.ratio = std::exp(d.mean);
   c.ratios = {std::exp(d.interval.low), std::exp(d.interval.high)};
   if (d.groups < kLeastSequences) return c;
-  if (c.ratios.high < 1) c.verdict = Verdict::better;
-  if (c.ratios.low > 1) c.verdict = Verdict::worse;
+  if (c.ratios.high < 1 && c.only_b.empty()) c.verdict = Verdict::better;
+  if (c.ratios.low > 1 && c.only_a.empty()) c.verdict = Verdict::worse;
   return c;
 }
 
@@ -129,9 +130,9 @@ std::vector<std::string> comparisonSentences(const BenchResults& results, const 
   add(better, fmt::format("In every run {} is better than {} on", a, b));
   add(worse, fmt::format("In every run {} is worse than {} on", a, b));
   add(undecided, "The runs do not decide on");
-  add(c.only_a, fmt::format("Only {} completes", a));
-  add(c.only_b, fmt::format("Only {} completes", b));
-  add(c.neither, "Neither completes");
+  add(c.only_a, fmt::format("Only {} completes every run", a));
+  add(c.only_b, fmt::format("Only {} completes every run", b));
+  add(c.neither, "Neither completes every run");
   return sentences;
 }
 

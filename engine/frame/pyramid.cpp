@@ -6,7 +6,7 @@
 namespace svoscope {
 
 namespace {
-constexpr int kSmallestSide = 24;
+constexpr int kSmallestSide = 14;
 }
 
 cv::Mat halfSample(const cv::Mat& image) {

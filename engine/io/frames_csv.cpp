@@ -72,6 +72,7 @@ std::vector<Column> makeColumns() {
   columns.push_back(
       {"state", [](const FrameRecord& r) { return std::string(stateName(r.state)); }});
   add("pose_good", &FrameRecord::pose_good);
+  add("map", &FrameRecord::map_id);
   add("is_keyframe", &FrameRecord::is_keyframe);
   add("keyframe_id", &FrameRecord::keyframe_id);
   add("relocalized", &FrameRecord::relocalized);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/snapshot/estimate.h"
+
 namespace svoscope {
 
 namespace {
@@ -92,10 +94,12 @@ double percentile(std::vector<double> values, double fraction) {
 RunMetrics metricsOfRecords(const std::vector<FrameRecord>& records, int frames) {
   RunMetrics metrics;
   metrics.frames = std::max(frames, static_cast<int>(records.size()));
+  metrics.maps = mapCount(records);
+  const int main_map = mainMap(records);
   int before_init = 0;
   for (const FrameRecord& record : records) {
     if (record.pose_good) {
-      ++metrics.tracked;
+      metrics.tracked += hasPoseIn(record, main_map);
       if (!metrics.init_frame) {
         metrics.init_frame = record.index;
         metrics.init_time_s = record.timestamp - records.front().timestamp;
@@ -146,6 +150,7 @@ Json metricsJson(const RunMetrics& metrics) {
   }
   Json json = {{"frames", metrics.frames},
                {"tracked", metrics.tracked},
+               {"maps", metrics.maps},
                {"init_frame", orNull(metrics.init_frame)},
                {"tracked_fraction_after_init", orNull(metrics.tracked_fraction_after_init)},
                {"keyframes", metrics.keyframes},
@@ -175,6 +180,11 @@ std::string metricsText(const RunMetrics& metrics) {
   }
   text += fmt::format("keyframes   {}, losses {}, relocalisations {}\n", metrics.keyframes,
                       metrics.losses, metrics.relocalisations);
+  if (metrics.maps > 1) {
+    text += fmt::format("maps        {}: the trajectory is that of the map with most poses, the others are in "
+                        "trajectory-mapN.txt\n",
+                        metrics.maps);
+  }
   text += fmt::format("map         {} points, {} segments\n", metrics.points, metrics.segments);
   text += evaluationText(metrics);
   const StageTime& tracking = metrics.time_ms[static_cast<int>(Stage::tracking)];

@@ -26,13 +26,14 @@ struct SeedFigures {
 struct RunMetrics {
   std::string method;
   int frames = 0;                 ///< passed through the engine, unreadable ones included
-  int tracked = 0;                ///< with a good pose
-  std::optional<int> init_frame;  ///< sequence index of the first good pose
+  int maps = 0;                   ///< with a good pose; poses of different maps make no trajectory
+  int tracked = 0;                ///< with a good pose in the map that has most of them
+  std::optional<int> init_frame;  ///< sequence index of the first good pose of any map
   std::optional<double> tracked_fraction_after_init;
   std::optional<double> init_time_s;  ///< sequence time from the first frame to init_frame
   int keyframes = 0;
   int losses = 0;
-  int relocalisations = 0;
+  int relocalisations = 0;        ///< losses that were mended
   std::optional<double> relocalisation_time_s;  ///< mean sequence time from loss to recovery
   std::optional<EvalResult> evaluation;
   std::string evaluation_note;  ///< why there is none

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "engine/io/frames_csv.h"
 #include "engine/io/map_ply.h"
 #include "engine/io/trajectory_writer.h"
+#include "engine/snapshot/estimate.h"
 
 namespace svoscope {
 
@@ -52,8 +54,11 @@ Status RunWriter::begin(const std::filesystem::path& folder, const RunInfo& info
     std::error_code ec;
     std::filesystem::remove(folder / name, ec);
   }
-  status = trajectory_file_.open(folder / "trajectory.txt");
-  if (status.ok()) status = trajectory_file_.write(kTumHeader);
+  std::error_code ec;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
+    if (entry.path().filename().string().rfind("trajectory-map", 0) == 0) std::filesystem::remove(entry.path(), ec);
+  }
+  status = beginTrajectory();
   if (status.ok()) status = frames_file_.open(folder / "frames.csv");
   if (status.ok()) status = frames_file_.write(framesCsvHeader());
   if (status.ok()) status = writeWhole(folder / "config.yaml", config_yaml);
@@ -64,11 +69,35 @@ Status RunWriter::begin(const std::filesystem::path& folder, const RunInfo& info
 Status RunWriter::frame(const FrameRecord& record) {
   records_.push_back(record);
   if (record.pose_good) {
-    trajectory_.push_back({record.timestamp, record.T_world_cam});
-    const Status status = trajectory_file_.write(tumLine(trajectory_.back()));
+    Status status = record.map_id == map_id_ ? Status(Done{}) : beginMap(record.map_id);
+    if (status.ok()) status = trajectory_file_.write(tumLine({record.timestamp, record.T_world_cam}));
     if (!status.ok()) return status;
   }
   return frames_file_.write(framesCsvRow(record));
+}
+
+std::filesystem::path RunWriter::trajectoryOf(int map_id) const {
+  return folder_ / ("trajectory-map" + std::to_string(map_id) + ".txt");
+}
+
+Status RunWriter::beginTrajectory() {
+  const Status status = trajectory_file_.open(folder_ / "trajectory.txt");
+  return status.ok() ? trajectory_file_.write(kTumHeader) : status;
+}
+
+/// Poses of two maps in one file would be taken for one trajectory.
+Status RunWriter::beginMap(int map_id) {
+  const int before = std::exchange(map_id_, map_id);
+  if (before < 0) return Done{};
+  const Status moved = renameFile(folder_ / "trajectory.txt", trajectoryOf(before));
+  return moved.ok() ? beginTrajectory() : moved;
+}
+
+Status RunWriter::putMainMapFirst() {
+  const int main_map = mainMap(records_);
+  if (main_map < 0 || main_map == map_id_) return Done{};
+  const Status moved = renameFile(folder_ / "trajectory.txt", trajectoryOf(map_id_));
+  return moved.ok() ? renameFile(trajectoryOf(main_map), folder_ / "trajectory.txt") : moved;
 }
 
 void RunWriter::observe(const Snapshot& snapshot) {
@@ -95,10 +124,10 @@ RunMetrics RunWriter::metrics(const SnapshotPtr& last, int frames,
   }
   if (info_.ground_truth.empty()) {
     m.evaluation_note = "the sequence has no ground truth";
-  } else if (trajectory_.empty()) {
+  } else if (m.maps == 0) {
     m.evaluation_note = "no pose was estimated";
   } else {
-    auto result = evaluate(info_.ground_truth, trajectory_, evaluation);
+    auto result = evaluate(info_.ground_truth, estimateOf(records_), evaluation);
     if (result.ok()) {
       m.evaluation = std::move(result).value();
     } else {
@@ -127,7 +156,8 @@ Status RunWriter::writeKeyframes(const SnapshotPtr& last) const {
 Result<RunMetrics> RunWriter::finish(SnapshotPtr last, int frames, const EvalOptions& evaluation) {
   if (last) observe(*last);
   const RunMetrics result = metrics(last, frames, evaluation);
-  Status status = writeKeyframes(last);
+  Status status = putMainMapFirst();
+  if (status.ok()) status = writeKeyframes(last);
   if (status.ok()) {
     status = writeMapPly(folder_ / "map.ply", pointsOf(last), seedRule(info_.method));
   }

@@ -42,6 +42,14 @@ Status writeWhole(const fs::path& file, const std::string& content) {
   return Done{};
 }
 
+Status renameFile(const fs::path& from, const fs::path& to) {
+  std::error_code ec;
+  fs::rename(from, to, ec);
+  if (!ec) return Done{};
+  return outputError("cannot be renamed to " + to.filename().string() + ": " + ec.message(), from.string(),
+                     "choose a folder with write permission and free space");
+}
+
 Status makeFolder(const fs::path& folder) {
   std::error_code ec;
   fs::create_directories(folder, ec);
@@ -54,6 +62,8 @@ Status makeFolder(const fs::path& folder) {
 Status LineFile::open(const fs::path& file) {
   file_ = file;
   size_ = 0;
+  if (out_.is_open()) out_.close();
+  out_.clear();
   errno = 0;
   out_.open(file, std::ios::binary | std::ios::trunc);
   if (!out_) return cannotWrite(file_, errno);

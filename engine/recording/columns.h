@@ -43,6 +43,7 @@ void visitRecord(R& r, F&& f) {
   f("timestamp", r.timestamp);
   f("state", named(r.state));
   f("pose_good", r.pose_good);
+  f("map", r.map_id);
   f("is_keyframe", r.is_keyframe);
   f("keyframe_id", r.keyframe_id);
   f("relocalized", r.relocalized);

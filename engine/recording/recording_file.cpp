@@ -44,7 +44,7 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const fs::path& file)
   const Status known = recording->identify();
   if (!known.ok()) return known.error();
   if (!recording->load()) {
-    const bool by_sqlite = recording->database_->damaged();
+    const bool by_sqlite = recording->database_->failed();
     return recording->damaged(by_sqlite ? recording->database_->problem() : "its tables hold what no run writes");
   }
   if (recording->frames_.empty())

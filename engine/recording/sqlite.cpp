@@ -66,6 +66,11 @@ bool Database::damaged() const {
   return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_IOERR;
 }
 
+bool Database::failed() const {
+  const int code = sqlite3_errcode(db_);
+  return code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE;
+}
+
 Query::Query(Database& database, const std::string& sql) {
   if (sqlite3_prepare_v2(database.handle(), sql.c_str(), static_cast<int>(sql.size()), &statement_,
                          nullptr) != SQLITE_OK)

@@ -35,7 +35,9 @@ class Database {
   std::int64_t integer(const std::string& sql, std::int64_t otherwise = -1);
 
   std::string problem() const;  ///< of the last call that failed
-  bool damaged() const;  ///< the last failure: the file is no database, or its pages are wrong
+  bool damaged() const;
+  /// The last call failed, for whatever reason.
+  bool failed() const;  ///< the last failure: the file is no database, or its pages are wrong
   sqlite3* handle() const { return db_; }
 
  private:

@@ -96,8 +96,11 @@ void visitQuality(P& p, F&& f) {
   auto& t = p.tracker;
   f(ParameterInfo{"quality.min_inliers", "", "fewer after pose refinement: lost", 5, 1000}, t.quality.min_inliers);
   f(ParameterInfo{"quality.min_inlier_fraction", "", "share of matches that must be inliers", 0, 1}, t.quality.min_inlier_fraction);
+  f(ParameterInfo{"quality.min_tried_fraction", "", "share of the features tried that must be inliers", 0, 1}, t.quality.min_tried_fraction);
   f(ParameterInfo{"quality.relocalized_inliers", "", "inliers that confirm a relocalization", 5, 1000}, t.quality.relocalized_inliers);
-  f(ParameterInfo{"quality.reset_lost_frames", "frames", "a young map is given up after", 1, 100000}, t.quality.reset_lost_frames);
+  f(ParameterInfo{"quality.relocalized_noise", "", "errors over the usual ones that confirm a relocalization", 1, 100}, t.quality.relocalized_noise);
+  f(ParameterInfo{"quality.fresh_lost_frames", "frames", "lost with a young map: look for another start after", 1, 100000}, t.quality.fresh_lost_frames);
+  f(ParameterInfo{"quality.lost_frames", "frames", "the same with any other map", 1, 1000000}, t.quality.lost_frames);
   f(ParameterInfo{"quality.structure_iterations", "", "Gauss-Newton steps per landmark and frame", 0, 50}, t.quality.structure_iterations);
   f(ParameterInfo{"relocalize.candidates", "", "keyframes tried per frame", 1, 50}, t.relocalize.candidates);
   f(ParameterInfo{"quality.relocalized_fraction", "", "share of the features tried that confirms a relocalization", 0, 1}, t.quality.relocalized_fraction);

@@ -59,6 +59,7 @@ struct FrameRecord {
   std::string reason;           ///< why in this state: "tracking", "31 inliers < 40 required", ...
   std::string keyframe_reason;  ///< why a keyframe was, or was not, taken
   SE3 T_world_cam;              ///< map scale; meaningful if pose_good
+  int map_id = 0;               ///< whose world that is; grows when a map is given up for a new start
   Funnel funnel;
   double align_rmse = 0;        ///< sparse alignment, grey levels
   double reprojection_px = 0;   ///< median of inliers, px at level 0

@@ -4,6 +4,7 @@
 
 #include "engine/study/depth_study.h"
 #include "engine/eval/evaluate.h"
+#include "engine/snapshot/estimate.h"
 
 namespace svoscope {
 
@@ -34,15 +35,13 @@ std::vector<std::optional<SE3>> groundTruthPoses(const Sequence& sequence, doubl
 }
 
 Result<std::vector<std::optional<SE3>>> alignedPoses(const Sequence& sequence, const std::vector<FrameRecord>& records) {
-  Trajectory estimate;
-  for (const FrameRecord& r : records) {
-    if (r.pose_good) estimate.push_back({r.timestamp, r.T_world_cam});
-  }
+  const int map_id = mainMap(records);
+  const Trajectory estimate = estimateOf(records);
   const auto aligned = evaluate(sequence.groundTruth(), estimate);
   if (!aligned.ok()) return aligned.error();
   std::vector<std::optional<SE3>> poses(static_cast<std::size_t>(sequence.size()));
   for (const FrameRecord& r : records) {
-    if (r.pose_good && r.index >= 0 && r.index < sequence.size())
+    if (hasPoseIn(r, map_id) && r.index >= 0 && r.index < sequence.size())
       poses[static_cast<std::size_t>(r.index)] = aligned.value().T_gt_est * r.T_world_cam;
   }
   return poses;

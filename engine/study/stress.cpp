@@ -7,6 +7,7 @@
 #include "engine/eval/evaluate.h"
 #include "engine/runner/make_runner.h"
 #include "engine/study/kept_sequence.h"
+#include "engine/snapshot/estimate.h"
 
 namespace svoscope {
 
@@ -44,6 +45,7 @@ Blackout blackoutOf(const std::string& sequence) {
 }
 
 void countFrames(const std::vector<FrameRecord>& records, const Blackout& black, StressRow& row) {
+  const int map_id = mainMap(records);
   int since_start = 0, tracked = 0;
   bool lost = false;
   for (const FrameRecord& r : records) {
@@ -57,7 +59,7 @@ void countFrames(const std::vector<FrameRecord>& records, const Blackout& black,
     ++row.visible;
     if (!row.start_s) continue;
     ++since_start;
-    tracked += r.pose_good;
+    tracked += hasPoseIn(r, map_id);
   }
   if (since_start > 0) row.tracked_fraction = tracked / static_cast<double>(since_start);
 }
@@ -76,9 +78,7 @@ void timeRecovery(const std::vector<FrameRecord>& records, const Blackout& black
 
 void measureError(const std::vector<FrameRecord>& records, const Trajectory& truth,
                   StressRow& row) {
-  Trajectory estimate;
-  for (const FrameRecord& r : records)
-    if (r.pose_good) estimate.push_back({r.timestamp, r.T_world_cam});
+  const Trajectory estimate = estimateOf(records);
   if (estimate.empty()) return;
   const auto evaluated = evaluate(truth, estimate);
   const double length = pathLength(truth, estimate.front().timestamp);

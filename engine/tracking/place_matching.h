@@ -25,6 +25,7 @@ class PlaceIndex {
  public:
   const PlaceDescriptors& of(const Map& map, const Keyframe& keyframe);
   void clear() { places_.clear(); }
+  void forget(int keyframe_id) { places_.erase(keyframe_id); }
 
  private:
   std::map<int, PlaceDescriptors> places_;

@@ -42,9 +42,11 @@ void Tracker::reset() {
   local_keyframes_.clear();
   seed_updates_.clear();
   places_.clear();
-  lost_frames_ = 0;
+  restart_.reset();
+  lost_frames_ = map_id_ = 0;
   last_keyframe_frame_ = latest_keyframe_ = awaited_adjustment_ = -1;
   adjustment_wanted_ = false;
+  usual_noise_px_ = 0;
 }
 
 const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& gray) {
@@ -82,17 +84,21 @@ void Tracker::initialize() {
   record_.disparity_tracks = start_output_.tracks_alive;
   record_.disparity_px = start_output_.disparity_px;
   record_.reason = start_output_.reason;
-  if (start_output_.initialized) {
-    buildMap(start_output_);
-    T_last_good_ = frame_.T_cam_world;
-    T_velocity_ = startVelocity(start_output_);
-    state_ = TrackingState::tracking;
-    record_.pose_good = true;
-    event(EventKind::initialized, "started: " + start_output_.reason);
-    insertKeyframe("second view of the start");
-    requestMeasurements();
-  }
+  if (start_output_.initialized) beginMap(start_output_);
   stageMs(record_, Stage::initialize) = watch.ms();
+}
+
+void Tracker::beginMap(InitializerOutput start) {
+  buildMap(start);
+  T_last_good_ = frame_.T_cam_world;
+  T_velocity_ = startVelocity(start);
+  state_ = TrackingState::tracking;
+  record_.pose_good = true;
+  record_.reason = start.reason;
+  event(EventKind::initialized, "started: " + start.reason);
+  insertKeyframe("second view of the start");
+  requestMeasurements();
+  start_output_ = std::move(start);
 }
 
 void Tracker::trackFrame() {
@@ -129,6 +135,7 @@ void Tracker::trackFrame() {
 
 void Tracker::lose(const std::string& reason) {
   state_ = TrackingState::lost;
+  restart_.reset();
   lost_frames_ = 0;
   frame_.T_cam_world = T_last_good_;
   T_velocity_ = SE3();
@@ -140,31 +147,40 @@ void Tracker::relocalize() {
   Stopwatch watch;
   ++lost_frames_;
   frame_.T_cam_world = T_last_good_;
-  const bool fresh = static_cast<int>(map_.keyframes.size()) <= parameters_.quality.fresh_map_keyframes;
-  if (fresh && lost_frames_ > parameters_.quality.reset_lost_frames) {
-    event(EventKind::reset, "the young map was given up, starting again");
-    const Frame current = frame_;
-    const std::int64_t next_id = map_.next_id;
-    const int next_keyframe_id = map_.next_keyframe_id;
-    reset();
-    frame_ = current;
-    // Mapping answers on their way, and what is kept by keyframe, still speak of the old map.
-    map_.next_id = next_id;
-    map_.next_keyframe_id = next_keyframe_id;
-    initialize();
-    return;
-  }
   // Alignment first: it is exact where it converges. Descriptors reach further.
   std::string failure = "no keyframe looks like this frame";
   const bool found =
       tryRelocalization(relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment, parameters_.relocalize),
                         "alignment", failure) ||
       tryRelocalization(matchPlaces(map_, *frame_.pyramid, places_, parameters_.relocalize), "descriptors", failure);
-  if (!found) {
-    frame_.T_cam_world = T_last_good_;
-    record_.reason = "lost, " + failure;
-  }
-  stageMs(record_, Stage::relocalize) = watch.ms();
+  stageMs(record_, Stage::relocalize) = watch.lapMs();
+  if (found) return restart_.reset();
+  frame_.T_cam_world = T_last_good_;
+  record_.reason = "lost, " + failure;
+  const QualityParameters& q = parameters_.quality;
+  const bool fresh = static_cast<int>(map_.keyframes.size()) <= q.fresh_map_keyframes;
+  if (lost_frames_ > (fresh ? q.fresh_lost_frames : q.lost_frames)) startBeside();
+  stageMs(record_, Stage::initialize) = watch.lapMs();
+}
+
+/// The camera may be where the map has never been. The map is given up only once another has begun: until
+/// then the camera may come back.
+void Tracker::startBeside() {
+  if (!restart_) restart_ = std::make_unique<Initializer>(map_.camera, parameters_.start);
+  InitializerOutput start = restart_->process({frame_.index, frame_.timestamp, frame_.pyramid});
+  if (!start.initialized) return;
+  event(EventKind::reset, fmt::format("map {} was given up after {} frames without it: another start was found",
+                                      map_id_, lost_frames_));
+  const Frame current = frame_;
+  const int map_id = map_id_ + 1, next_keyframe_id = map_.next_keyframe_id;
+  const std::int64_t next_id = map_.next_id;
+  reset();
+  frame_ = current;
+  map_id_ = map_id;
+  // Mapping answers on their way, and what is kept by keyframe, still speak of the old map.
+  map_.next_id = next_id;
+  map_.next_keyframe_id = next_keyframe_id;
+  beginMap(std::move(start));
 }
 
 /// Takes the first candidate that the map confirms.
@@ -172,13 +188,11 @@ bool Tracker::tryRelocalization(const std::vector<RelocalizationCandidate>& cand
                                 std::string& failure) {
   const QualityParameters& q = parameters_.quality;
   for (const RelocalizationCandidate& c : candidates) {
-    Attempt a = attempt(c.T_cam_world, "relocalization");
+    const Scope sure = {0, false};
+    Attempt a = attempt(c.T_cam_world, "relocalization", sure);
     // Once more from the refined pose: the first pass finds only what lay near its prediction.
-    if (a.pose.inliers + a.pose.segment_inliers >= q.min_inliers) a = attempt(a.T_cam_world, "relocalization");
-    // At a wrong pose chance alone matches some of hundreds: a share of what was tried must fit, too.
-    const int tried = a.reprojected.tried + a.segments.tried;
-    const int required = std::max(q.relocalized_inliers, static_cast<int>(q.relocalized_fraction * tried));
-    if (!accept(a, required)) {
+    if (a.pose.inliers + a.pose.segment_inliers >= q.min_inliers) a = attempt(a.T_cam_world, "relocalization", sure);
+    if (!acceptRelocalization(a)) {
       failure = fmt::format("keyframe {} by {}: {}", c.keyframe_id, by, a.failure);
       continue;
     }
@@ -203,6 +217,7 @@ void Tracker::event(EventKind kind, std::string text) {
 void Tracker::finishRecord() {
   record_.state = state_;
   record_.T_world_cam = frame_.T_cam_world.inverse();
+  record_.map_id = map_id_;
   Funnel& funnel = record_.funnel;
   std::vector<double> errors;
   for (const TrackedFeature& f : frame_.features) {

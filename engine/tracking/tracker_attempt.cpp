@@ -39,34 +39,35 @@ std::vector<Tracker::Prediction> Tracker::predictions(const std::vector<Alignmen
 bool Tracker::trackFrom(const Prediction& prediction, const std::vector<AlignmentPatch>& patches, Attempt& best) {
   const int required = parameters_.quality.min_inliers;
   if (!prediction.wide) {
-    best = alignAndAttempt(patches, prediction.T_cur_prev, prediction.from);
+    best = alignAndAttempt(patches, prediction.T_cur_prev, prediction.from, {});
     return accept(best, required);
   }
   // Twice the capture range, then once more at the level of the features: the first finds the pose.
   const SE3 T_cur_prev = registeredRotation(*last_.pyramid, *frame_.pyramid, map_.camera);
-  best = alignAndAttempt(patches, T_cur_prev, prediction.from, 1);
-  if (best.pose.ok && best.pose.inliers >= required / 2) best = attempt(best.T_cam_world, prediction.from);
+  best = alignAndAttempt(patches, T_cur_prev, prediction.from, {1, true});
+  if (best.pose.ok && best.pose.inliers >= required / 2) best = attempt(best.T_cam_world, prediction.from, {});
   return accept(best, required);
 }
 
 Tracker::Attempt Tracker::alignAndAttempt(const std::vector<AlignmentPatch>& patches, const SE3& T_cur_prev,
-                                          const char* from, int coarser) {
+                                          const char* from, const Scope& scope) {
   Stopwatch watch;
   const SparseAlignmentResult aligned = alignSparse(*last_.pyramid, *frame_.pyramid, map_.camera, patches,
                                                     T_cur_prev, parameters_.alignment);
   stageMs(record_, Stage::sparse_align) += watch.ms();
-  Attempt a = attempt((aligned.ok ? aligned.T_cur_ref : T_cur_prev) * last_.T_cam_world, from, coarser);
+  Attempt a = attempt((aligned.ok ? aligned.T_cur_ref : T_cur_prev) * last_.T_cam_world, from, scope);
   a.aligned = aligned;
   return a;
 }
 
-Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from, int coarser) {
+Tracker::Attempt Tracker::attempt(const SE3& T_cam_world, const char* from, const Scope& scope) {
   Attempt a;
   a.from = from;
   Stopwatch watch;
   frame_.T_cam_world = T_cam_world;
   ReprojectorParameters reproject = parameters_.reproject;
-  reproject.coarser = coarser;
+  reproject.coarser = scope.coarser;
+  reproject.unconverged_seeds = reproject.unconverged_seeds && scope.unconverged_seeds;
   a.reprojected = reprojectMap(map_, frame_, reproject, parameters_.mapping);
   stageMs(record_, Stage::reproject) += watch.lapMs();
   const auto observations = observationsOf(a.reprojected.features);
@@ -118,6 +119,9 @@ bool Tracker::accept(Attempt& a, int required) {
   } else if (inliers < parameters_.quality.min_inlier_fraction * informing) {
     a.failure = fmt::format("{} inliers are under {:.0f} % of {} matched", inliers,
                             100 * parameters_.quality.min_inlier_fraction, informing);
+  } else if (inliers < parameters_.quality.min_tried_fraction * funnel.tried) {
+    a.failure = fmt::format("{} inliers are under {:.0f} % of {} tried", inliers,
+                            100 * parameters_.quality.min_tried_fraction, funnel.tried);
   }
   if (!a.failure.empty()) return false;
   for (std::size_t i = 0; i < a.reprojected.features.size(); ++i) {
@@ -127,10 +131,26 @@ bool Tracker::accept(Attempt& a, int required) {
   }
   frame_.features = a.reprojected.features;
   frame_.noise_px = a.pose.scale_px;
+  constexpr double kNews = 0.05;  // about the last twenty frames
+  usual_noise_px_ = usual_noise_px_ > 0 ? (1 - kNews) * usual_noise_px_ + kNews * a.pose.scale_px : a.pose.scale_px;
   acceptSegments(a);
   occupied_ = a.reprojected.occupied;
   countTries();
   return true;
+}
+
+/// At a wrong pose chance alone matches some of hundreds: a share of what was tried must fit too, and it must
+/// fit as well as usual.
+bool Tracker::acceptRelocalization(Attempt& a) {
+  const QualityParameters& q = parameters_.quality;
+  const int tried = a.reprojected.tried + a.segments.tried;
+  constexpr double kLeastNoisePx = 0.1;  // far below it, the image is rendered or does not move
+  const double most = q.relocalized_noise * std::max(usual_noise_px_, kLeastNoisePx);
+  if (usual_noise_px_ > 0 && a.pose.scale_px > most) {
+    a.failure = fmt::format("errors of {:.2f} px, {:.2f} px allowed", a.pose.scale_px, most);
+    return false;
+  }
+  return accept(a, std::max(q.relocalized_inliers, static_cast<int>(q.relocalized_fraction * tried)));
 }
 
 /// Only frames with a pose count: while lost, the map is not to blame for what it does not match.

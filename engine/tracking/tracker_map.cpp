@@ -129,6 +129,7 @@ void Tracker::limitKeyframes() {
       }
     }
     map_.removeKeyframe(farthest);
+    places_.forget(farthest);
     for (TrackedFeature& f : frame_.features) {
       // What the removal took from the map must not be used for the next alignment's bookkeeping.
       if (f.origin == FeatureOrigin::landmark ? !map_.find(f.id) : f.keyframe_id == farthest)

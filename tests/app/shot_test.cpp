@@ -38,6 +38,13 @@ TEST_F(ShotTest, TheOutputFolderIsCheckedBeforeTheSequenceIsOpened) {
   }
 }
 
+TEST_F(ShotTest, TheTourOfARunThatNeverStartsHasAllItsPictures) {
+  const Outcome outcome = test::runProgram("view 'synthetic:still?size=320x240&frames=8' --headless --out " + path("out"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"1-start.png", "2-tracking.png", "3-seeds.png", "4-evaluation.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
+}
+
 TEST_F(ShotTest, APictureThatCannotBeWrittenHasAReason) {
   test::writeText(folder / "a.script", "step\nshot file/a.png\n");
   std::filesystem::create_directories(folder / "out");

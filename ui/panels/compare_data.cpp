@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "engine/eval/alignment.h"
+#include "engine/snapshot/estimate.h"
 
 namespace svoscope::ui {
 
@@ -50,15 +51,14 @@ Alignment alignmentOf(AlignMode mode) {
                                   : Alignment::sim3;
 }
 
-bool usable(const FrameRecord& r) { return r.pose_good && r.T_world_cam.finite(); }
-
 /// Moves the positions of a run by `move`.
 template <typename Move>
 void fillPath(ComparedRun& out, const RunCache& rows, const Move& move) {
   out.path.assign(rows.records().size(), kNowhere);
+  const int map_id = mainMap(rows.records());
   for (std::size_t i = 0; i < out.path.size(); ++i) {
     const FrameRecord& r = rows.records()[i];
-    if (usable(r)) out.path[i] = move(r.T_world_cam.translation()).template cast<float>();
+    if (hasPoseIn(r, map_id)) out.path[i] = move(r.T_world_cam.translation()).template cast<float>();
   }
   out.aligned = true;
 }
@@ -140,13 +140,15 @@ void CompareData::toTruth(const std::vector<CompareSource>& sources, const Traje
 void CompareData::toCurrent(const std::vector<CompareSource>& sources, int current,
                             AlignMode mode) {
   const RunCache& onto = *sources[static_cast<std::size_t>(current)].rows;
+  const int onto_map = mainMap(onto.records());
   fillPath(runs_[static_cast<std::size_t>(current)], onto, [](const Vec3& p) { return p; });
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     if (static_cast<int>(i) == current) continue;
     std::vector<Vec3> from, to;
+    const int own_map = mainMap(sources[i].rows->records());
     for (const FrameRecord& r : sources[i].rows->records()) {
-      const FrameRecord* other = usable(r) ? onto.find(r.index) : nullptr;
-      if (!other || !usable(*other)) continue;
+      const FrameRecord* other = hasPoseIn(r, own_map) ? onto.find(r.index) : nullptr;
+      if (!other || !hasPoseIn(*other, onto_map)) continue;
       from.push_back(r.T_world_cam.translation());
       to.push_back(other->T_world_cam.translation());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cctype>
 
+#include "engine/snapshot/estimate.h"
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
@@ -35,8 +36,9 @@ void alignmentRows(const TruthState& s) {
 void runRows(PanelContext& c) {
   int good = 0, losses = 0, start = -1;
   TrackingState before = TrackingState::initializing;
+  const int map_id = mainMap(c.caches.run.records()), maps = mapCount(c.caches.run.records());
   for (const FrameRecord& r : c.caches.run.records()) {
-    good += r.pose_good;
+    good += hasPoseIn(r, map_id);
     if (r.pose_good && start < 0) start = r.index;
     if (r.state == TrackingState::lost && before != TrackingState::lost) ++losses;
     before = r.state;
@@ -46,6 +48,7 @@ void runRows(PanelContext& c) {
   valueRow("Tracked", format("%d of %d frames", good, frames));
   valueRow("Start", start < 0 ? std::string("not yet") : format("frame %d", start));
   valueRow("Losses", format("%d", losses));
+  if (maps > 1) valueRow("Maps", format("%d; errors and path are those of the one with most poses", maps));
 }
 
 void errorPlot(PanelContext& c) {

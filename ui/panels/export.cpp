@@ -3,14 +3,16 @@
 
 #include <cmath>
 
+#include "engine/snapshot/estimate.h"
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
 
 std::string trajectoryText(const std::vector<FrameRecord>& records) {
+  const int map_id = mainMap(records);
   std::string text;
   for (const FrameRecord& r : records) {
-    if (!r.pose_good) continue;
+    if (!hasPoseIn(r, map_id)) continue;
     const Vec3& t = r.T_world_cam.translation();
     const Eigen::Quaterniond& q = r.T_world_cam.quaternion();
     text += format("%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n", r.timestamp, t.x(), t.y(), t.z(), q.x(), q.y(),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/snapshot/estimate.h"
 #include "ui/palette.h"
 #include "ui/widgets/plot_math.h"
 
@@ -76,7 +77,7 @@ void SceneContent::measure(const SceneInput& input) {
     for (const MapPointView& p : *input.snapshot->points) add(p.position.cast<double>());
   }
   for (const FrameRecord& r : *input.records) {
-    if (r.pose_good) add(r.T_world_cam.translation());
+    if (hasPoseIn(r, input.snapshot->record.map_id)) add(r.T_world_cam.translation());
   }
   if (x.empty()) {  // before the start: a room of one map unit around the camera
     center_ = input.snapshot->record.T_world_cam.translation();
@@ -128,7 +129,7 @@ void SceneContent::addPaths(const SceneInput& input) {
   const FrameRecord* last = nullptr;
   for (const FrameRecord& r : *input.records) {
     if (r.index > input.snapshot->record.index) break;
-    if (!r.pose_good) {
+    if (!hasPoseIn(r, input.snapshot->record.map_id)) {  // other maps: in another world
       last = nullptr;
       continue;
     }

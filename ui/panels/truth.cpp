@@ -5,20 +5,13 @@
 #include <cmath>
 
 #include "engine/eval/evaluate.h"
+#include "engine/snapshot/estimate.h"
 
 namespace svoscope::ui {
 
 namespace {
 
 constexpr double kMaxDt = 0.02;  // s, the usual association limit
-
-Trajectory estimateOf(const std::vector<FrameRecord>& records) {
-  Trajectory estimate;
-  for (const FrameRecord& r : records) {
-    if (r.pose_good && r.T_world_cam.finite()) estimate.push_back({r.timestamp, r.T_world_cam});
-  }
-  return estimate;
-}
 
 void takeOver(TruthState& s, const EvalResult& result, const std::vector<FrameRecord>& records) {
   s.valid = true;

@@ -33,8 +33,8 @@ TEST(BenchConfig, DefaultsAndFullForm) {
   ASSERT_TRUE(small.ok()) << small.error().message();
   EXPECT_EQ(small.value().title, "b");
   EXPECT_EQ(small.value().methods.size(), 3u);
-  EXPECT_EQ(small.value().runs, 3);
-  EXPECT_EQ(cellsOf(small.value()).size(), 9u);
+  EXPECT_EQ(small.value().runs, 4);
+  EXPECT_EQ(cellsOf(small.value()).size(), 12u);
   EXPECT_EQ(small.value().sequences[0].name, "room");
 
   const auto full = load(

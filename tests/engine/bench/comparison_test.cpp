@@ -8,7 +8,7 @@
 namespace svoscope {
 namespace {
 
-std::string yaml(int sequences, int runs = 3) {
+std::string yaml(int sequences, int runs = 4) {
   std::string text = "methods: [pl-svo, it-svo]\nruns: " + std::to_string(runs) + "\nsequences:\n";
   for (int i = 0; i < sequences; ++i) text += "  - s" + std::to_string(i) + "\n";
   return text;
@@ -17,7 +17,7 @@ std::string yaml(int sequences, int runs = 3) {
 /// it-svo's error is `factor(sequence)` times that of pl-svo, both with a little spread.
 template <typename Factor>
 BenchResults made(const std::filesystem::path& dir, int sequences, const Factor& factor,
-                  int runs = 3) {
+                  int runs = 4) {
   const BenchConfig config = test::makeBench(dir, yaml(sequences, runs));
   for (const BenchCell& cell : cellsOf(config)) {
     const double level = 0.01 * (1 + cell.sequence) * (1 + 0.01 * cell.run);
@@ -70,6 +70,33 @@ TEST(Comparison, SingleRunsDecideNothingOnASequence) {
   EXPECT_EQ(c.verdict, Verdict::better);
 }
 
+TEST(Comparison, WhoFailsWhereTheOtherDoesNotIsNotBetter) {
+  const test::TemporaryFolder folder;
+  made(folder.path(), 8, [](int) { return 0.5; });
+  const BenchConfig config = loadBenchConfig(folder / "bench.yaml", BenchConfigUse::report).value();
+  for (const BenchCell& cell : cellsOf(config)) {  // one run of it-svo, on one sequence
+    if (cell.sequence == 2 && cell.system == 1 && cell.run == 1) test::makeCell(folder.path(), cell, 0.01, 0.85);
+  }
+  const BenchResults results = readBenchResults(folder.path()).value();
+  EXPECT_NE(results.typical(2, 1), nullptr);
+  EXPECT_FALSE(results.completes(2, 1));
+  const Comparison c = ate(results);
+  EXPECT_EQ(c.only_b, std::vector<std::size_t>{2});
+  EXPECT_EQ(c.sequences.size(), 7u);
+  EXPECT_LT(c.ratios.high, 1);
+  EXPECT_EQ(c.verdict, Verdict::undecided);
+}
+
+TEST(Comparison, ADamagedMetricsFileIsSaidToBe) {
+  const test::TemporaryFolder folder;
+  made(folder.path(), 2, [](int) { return 0.9; });
+  const BenchConfig config = loadBenchConfig(folder / "bench.yaml", BenchConfigUse::report).value();
+  for (const BenchCell& cell : cellsOf(config)) {
+    if (cell.sequence == 1) test::writeText(folder.path() / cell.folder / "metrics.json", "garbage");
+  }
+  EXPECT_EQ(readBenchResults(folder.path()).value().failure(1, 0), "metrics.json is missing or damaged");
+}
+
 TEST(Comparison, FailuresAreNamedNotAveraged) {
   const test::TemporaryFolder folder;
   made(folder.path(), 7, [](int) { return 0.9; });
@@ -87,9 +114,9 @@ TEST(Comparison, FailuresAreNamedNotAveraged) {
   EXPECT_EQ(results.failure(2, 0), "never initialised");
   EXPECT_EQ(results.failure(3, 0), "only 20 % tracked");
   const auto sentences = comparisonSentences(results, c);
-  EXPECT_NE(std::find(sentences.begin(), sentences.end(), "Only it-svo completes: s2."),
+  EXPECT_NE(std::find(sentences.begin(), sentences.end(), "Only it-svo completes every run: s2."),
             sentences.end());
-  EXPECT_NE(std::find(sentences.begin(), sentences.end(), "Neither completes: s3."),
+  EXPECT_NE(std::find(sentences.begin(), sentences.end(), "Neither completes every run: s3."),
             sentences.end());
 }
 

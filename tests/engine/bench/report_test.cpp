@@ -82,7 +82,7 @@ TEST_F(ReportTest, CsvHasOneRowPerCell) {
 TEST_F(ReportTest, MarkdownStatesFailuresSpreadAndThePaper) {
   const std::string md = test::readText(folder / "report.md");
   EXPECT_NE(md.find("1 of them not done"), std::string::npos);
-  EXPECT_NE(md.find("Only it-svo completes: freiburg1_xyz."), std::string::npos) << md;
+  EXPECT_NE(md.find("Only it-svo completes every run: freiburg1_xyz."), std::string::npos) << md;
   EXPECT_NE(md.find("Completed in some runs only: it-svo 1 of 2 on room."), std::string::npos)
       << md;
   EXPECT_NE(md.find(" ± "), std::string::npos);

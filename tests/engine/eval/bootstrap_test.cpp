@@ -44,6 +44,28 @@ TEST(Bootstrap, TheIntervalCoversTheTruthAsOftenAsItSays) {
   EXPECT_LT(covered, 0.985 * kTrials);
 }
 
+TEST(Bootstrap, TheIntervalOfSixValuesCoversTheTruthToo) {
+  std::mt19937_64 random(8);
+  BootstrapOptions options;
+  options.resamples = 2000;
+  int covered = 0;
+  constexpr int kTrials = 600;
+  for (int i = 0; i < kTrials; ++i) {
+    options.seed = static_cast<std::uint64_t>(i);
+    const Interval interval = bootstrapMean(normal(random, 6, 1, 1), options);
+    covered += interval.low <= 1 && 1 <= interval.high;
+  }
+  EXPECT_GT(covered, 0.92 * kTrials);  // unexpanded: 0.87
+  EXPECT_LT(covered, 0.98 * kTrials);
+}
+
+TEST(StudentQuantile, HasTheValuesOfTheTables) {
+  EXPECT_NEAR(studentQuantile(0.975, 1), 12.706, 1e-3);
+  EXPECT_NEAR(studentQuantile(0.975, 5), 2.5706, 1e-4);
+  EXPECT_NEAR(studentQuantile(0.95, 10), 1.8125, 1e-4);
+  EXPECT_NEAR(studentQuantile(0.975, 1000), 1.9623, 1e-4);
+}
+
 TEST(Bootstrap, TheSameSeedGivesTheSameInterval) {
   std::mt19937_64 random(5);
   const std::vector<double> values = normal(random, 12, 0, 1);

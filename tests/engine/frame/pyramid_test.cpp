@@ -38,7 +38,7 @@ TEST(Pyramid, AVerticalEdgeStaysVerticalWithOddWidths) {
   cv::Mat image(376, 1241, CV_8UC1, cv::Scalar(20));
   image(cv::Rect(640, 0, 1241 - 640, 376)).setTo(220);
   const PyramidPtr pyramid = buildPyramid(image, 5);
-  ASSERT_EQ(pyramid->size(), 4u);  // 376 -> 47 rows; 23 would be too few
+  ASSERT_EQ(pyramid->size(), 5u);  // 376 -> 23 rows
   for (const cv::Mat& level : *pyramid) {
     for (int y = 1; y < level.rows; ++y)
       ASSERT_EQ(cv::norm(level.row(0), level.row(y), cv::NORM_INF), 0) << level.cols << " row " << y;
@@ -47,9 +47,9 @@ TEST(Pyramid, AVerticalEdgeStaysVerticalWithOddWidths) {
   EXPECT_EQ((*pyramid)[3].cols, 155);
 }
 
-TEST(Pyramid, StopsBeforeASideFallsBelow24) {
-  EXPECT_EQ(buildPyramid(randomImage(64, 48), 5)->size(), 2u);
-  EXPECT_EQ(buildPyramid(randomImage(64, 47), 5)->size(), 1u);
+TEST(Pyramid, StopsBeforeASideFallsBelow14) {
+  EXPECT_EQ(buildPyramid(randomImage(64, 28), 5)->size(), 2u);
+  EXPECT_EQ(buildPyramid(randomImage(64, 27), 5)->size(), 1u);
   EXPECT_EQ(buildPyramid(randomImage(640, 480), 3)->size(), 3u);
   EXPECT_EQ(buildPyramid(randomImage(3, 2), 5)->size(), 1u);
 }

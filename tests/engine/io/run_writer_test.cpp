@@ -68,7 +68,7 @@ TEST(RunWriter, MetricsHaveExactlyTheKeysOfTheContract) {
   std::set<std::string> keys;
   for (const auto& item : json.items()) keys.insert(item.key());
   EXPECT_EQ(keys, (std::set<std::string>{
-                      "frames", "tracked", "init_frame", "tracked_fraction_after_init", "keyframes",
+                      "frames", "tracked", "maps", "init_frame", "tracked_fraction_after_init", "keyframes",
                       "losses", "relocalisations", "relocalisation_time_s", "init_time_s", "ate",
                       "rpe", "time_ms", "fps", "points", "segments", "seeds", "peak_rss_mb"}));
   EXPECT_EQ(json["frames"], 32);
@@ -92,6 +92,36 @@ TEST(RunWriter, MetricsHaveExactlyTheKeysOfTheContract) {
   EXPECT_NEAR(json["time_ms"]["tracking"]["median"].get<double>(), 24.5, 1e-9);
   EXPECT_TRUE(json["time_ms"]["mapping"].is_null());
   EXPECT_GT(json["peak_rss_mb"].get<double>(), 1);
+}
+
+TEST(RunWriter, PosesOfDifferentMapsAreInDifferentFiles) {
+  for (const int second : {12, 22}) {  // where the second map begins, of 30 frames: it is the main one, or not
+    const test::TemporaryFolder folder;
+    auto records = test::fakeRecords(30);
+    RunInfo info = infoWithTruth(records);
+    std::size_t poses[2] = {0, 0};
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      records[i].map_id = static_cast<int>(i) >= second;
+      if (records[i].map_id) records[i].T_world_cam = SE3(records[i].T_world_cam.quaternion(), 3 * records[i].T_world_cam.translation());
+      poses[records[i].map_id] += records[i].pose_good;
+    }
+    test::writeText(folder / "trajectory-map7.txt", "of an earlier run");
+    RunWriter writer;
+    ASSERT_TRUE(writer.begin(folder.path(), info, "").ok());
+    for (const FrameRecord& record : records) ASSERT_TRUE(writer.frame(record).ok());
+    EXPECT_EQ(loadTrajectory(folder / "trajectory.txt").value().poses.size(), poses[1]) << "while it runs";
+    ASSERT_TRUE(writer.finish(test::fakeSnapshot(records.back()), 30).ok());
+    const int main_map = poses[1] >= poses[0];
+    EXPECT_EQ(main_map, second == 12);
+    EXPECT_EQ(loadTrajectory(folder / "trajectory.txt").value().poses.size(), poses[main_map]);
+    EXPECT_EQ(loadTrajectory(folder / ("trajectory-map" + std::to_string(1 - main_map) + ".txt")).value().poses.size(),
+              poses[1 - main_map]);
+    EXPECT_FALSE(fs::exists(folder / "trajectory-map7.txt"));
+    const auto json = metricsOf(folder.path());
+    EXPECT_EQ(json["maps"], 2);
+    EXPECT_EQ(json["tracked"], poses[main_map]);
+    EXPECT_LT(json["ate"]["rmse_m"].get<double>(), 1e-6) << "both together would not fit";
+  }
 }
 
 TEST(RunWriter, AKilledRunKeepsWhatWasWritten) {

@@ -79,6 +79,22 @@ TEST(Map, RemovingALandmarkForgetsItInItsKeyframes) {
   EXPECT_EQ(map.keyframes.at(0).landmarks.size(), 1u);
 }
 
+TEST(Map, SeedsOfARemovedKeyframeAreLeftWithTheReason) {
+  Map map = threeKeyframes();
+  Keyframe& keyframe = map.keyframes.at(1);
+  keyframe.seeds.resize(2);
+  keyframe.segment_seeds.resize(3);
+  keyframe.segment_seeds[0].status = SeedStatus::promoted;
+  keyframe.segment_seeds[0].ending = SeedEnding::promoted;
+  map.removeKeyframe(1);
+  ASSERT_EQ(map.orphans.size(), 2u);
+  EXPECT_EQ(map.orphans[1].seed.ending, SeedEnding::keyframe_removed);
+  ASSERT_EQ(map.segment_orphans.size(), 3u);
+  EXPECT_EQ(map.segment_orphans[0].seed.ending, SeedEnding::promoted) << "it had ended before";
+  EXPECT_EQ(map.segment_orphans[2].seed.ending, SeedEnding::keyframe_removed);
+  EXPECT_EQ(map.segment_orphans[2].seed.status, SeedStatus::rejected);
+}
+
 TEST(Map, EndedSeedsAreNotCounted) {
   Map map = threeKeyframes();
   auto& seeds = map.keyframes.at(1).seeds;

@@ -187,6 +187,15 @@ double numericSigma(const Pinhole& camera, const SE3& T, const Vec3& f, double z
                   triangulateInverseDistance(camera, T, f, px - h * along)) / (2 * h);
 }
 
+TEST(ParallaxAt, IsTheAngleBetweenTheRays) {
+  const SE3 T_cur_ref(so3Exp(Vec3(0.1, -0.2, 0.05)), Vec3(0.3, -0.1, 0.05));
+  const Vec3 f = Vec3(0.1, 0.2, 1).normalized();
+  const Vec3 c = T_cur_ref.inverse().translation(), p = f / 0.4;
+  EXPECT_NEAR(parallaxAt(T_cur_ref, f, 0.4), std::acos(p.normalized().dot((p - c).normalized())), 1e-12);
+  EXPECT_NEAR(parallaxAt(SE3(so3Exp(Vec3(0.1, 0, 0)), Vec3::Zero()), f, 0.4), 0, 1e-12);
+  EXPECT_NEAR(parallaxAt(T_cur_ref, f, 0), 0, 1e-12);
+}
+
 TEST(InverseDistanceSigma, IsWhatOnePixelAlongTheLineChanges) {
   const Pinhole camera = test::smallCamera();
   for (const Vec2& px : {Vec2(160, 120), Vec2(100, 90), Vec2(220, 150)}) {

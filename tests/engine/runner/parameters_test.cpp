@@ -116,7 +116,7 @@ TEST(Parameters, YamlNamesEachGroupOnce) {
 
 TEST(Parameters, EveryKeyIsInTheDocs) {
   const std::string page = test::readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs/parameters.md");
-  for (const ParameterView& view : listParameters({})) EXPECT_THAT(page, HasSubstr("| `" + view.key + "` |"));
+  for (const ParameterView& view : listParameters({})) EXPECT_NE(page.find("| `" + view.key + "` |"), std::string::npos) << view.key;
 }
 
 TEST(Parameters, FilesMaySetAFew) {

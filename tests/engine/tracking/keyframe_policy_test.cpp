@@ -51,10 +51,23 @@ TEST(KeyframePolicy, NoneRightAfterTheLast) {
 TEST(KeyframePolicy, AtOnceWhenLandmarksRunOut) {
   KeyframeEvidence e = due();
   e.landmarks = 69;
-  e.displacement_px = 0;
+  e.displacement_px = 5;
   e.nearest_distance = 0;
   e.nearest_angle_deg = 0;
   expectTaken(e, "69 landmarks < 70");
+}
+
+TEST(KeyframePolicy, NoneWhileTheCameraStandsHoweverFewTheLandmarks) {
+  KeyframeEvidence e = due();
+  e.landmarks = 10;
+  e.displacement_px = 3.9;
+  e.nearest_distance = 0.009;
+  expectRefused(e, "stands: moved 3.9 px");
+  e.shares_landmarks = false;  // no motion is known
+  expectTaken(e, "10 landmarks < 70");
+  e.shares_landmarks = true;
+  e.nearest_distance = 0.011;
+  expectTaken(e, "10 landmarks < 70");
 }
 
 TEST(KeyframePolicy, NoneWithoutImageMotion) {

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "engine/eval/evaluate.h"
+#include "engine/snapshot/estimate.h"
 #include "tests/support/memory_sequence.h"
 
 namespace svoscope {
@@ -144,31 +145,131 @@ TEST(Tracker, ResetGivesTheSameRunAgain) {
     EXPECT_EQ(first.estimate[i].T_world_cam.matrix(), second.estimate[i].T_world_cam.matrix());
 }
 
+/// The room, and from frame `cut` on the scene before a desk.
+struct SceneCut {
+  std::unique_ptr<Sequence> room, desk;
+  int cut;
+  explicit SceneCut(int at)
+      : room(test::openBuiltIn("synthetic:room?size=320x240&frames=120")),
+        desk(test::openBuiltIn("synthetic:desk?size=320x240&frames=160")), cut(at) {}
+  SequenceImage image(int i) const { return i < cut ? room->read(i).value() : desk->read(i - cut).value(); }
+};
+
 TEST(Tracker, AnOldMapsAnswersDoNotReachTheNewMap) {
-  // A young map is given up after a long loss. Identifiers must not return: a mapping answer, or
-  // whatever is kept by keyframe, may still speak of the old map.
-  const auto sequence = test::openBuiltIn("synthetic:room?size=320x240&frames=120");
-  Tracker tracker(sequence->camera().pinhole, {});
-  int start = -1, newest = -1;
+  // Identifiers must not return: a mapping answer, or whatever is kept by keyframe, may still speak of the
+  // old map.
+  const SceneCut scene(30);
+  TrackerParameters p;
+  p.quality.fresh_lost_frames = p.quality.lost_frames = 2;
+  Tracker tracker(scene.room->camera().pinhole, p);
+  int starts = 0, newest = -1;
   std::int64_t newest_point = -1;
-  const cv::Mat black(240, 320, CV_8UC1, cv::Scalar(0));
-  bool again = false;
-  for (int i = 0; i < 120 && !again; ++i) {
-    const bool dark = start >= 0 && i > start && i <= start + 14;
-    const SequenceImage image = sequence->read(i).value();
-    tracker.process(i, image.timestamp, dark ? black : image.gray);
-    for (const Event& e : tracker.events()) {
-      if (e.kind != EventKind::initialized) continue;
-      if (start >= 0) again = true;
-      else start = i;
-    }
-    if (again) break;
+  for (int i = 0; i < 180; ++i) {
+    tracker.process(i, i / 30.0, scene.image(i).gray);
+    for (const Event& e : tracker.events()) starts += e.kind == EventKind::initialized;
+    if (starts == 2) break;
     for (const auto& [id, keyframe] : tracker.map().keyframes) newest = std::max(newest, id);
     for (const auto& [id, landmark] : tracker.map().landmarks) newest_point = std::max(newest_point, id);
   }
-  ASSERT_TRUE(again);
+  ASSERT_EQ(starts, 2);
+  ASSERT_GE(newest, 1);
   for (const auto& [id, keyframe] : tracker.map().keyframes) EXPECT_GT(id, newest);
   for (const auto& [id, landmark] : tracker.map().landmarks) EXPECT_GT(id, newest_point);
+}
+
+TEST(Tracker, AnUnknownSceneIsALossAndGetsAMapOfItsOwn) {
+  const SceneCut scene(60);
+  TrackerParameters p;
+  p.quality.lost_frames = 5;
+  Tracker tracker(scene.room->camera().pinhole, p);
+  std::vector<FrameRecord> records;
+  std::vector<EventKind> told;
+  for (int i = 0; i < 200; ++i) {
+    const SequenceImage image = scene.image(i);
+    tracker.process(i, i / 30.0, image.gray);
+    if (const auto job = tracker.takeMappingJob()) tracker.applyMapping(runMappingJob(*job, p.mapping));
+    records.push_back(tracker.record());
+    for (const Event& e : tracker.events()) {
+      if (e.kind != EventKind::keyframe) told.push_back(e.kind);
+    }
+  }
+  EXPECT_EQ(records[59].map_id, 0);
+  ASSERT_TRUE(records[59].pose_good);
+  for (int i = 60; i < 66; ++i) EXPECT_FALSE(records[static_cast<std::size_t>(i)].pose_good) << i;
+  ASSERT_TRUE(records[199].pose_good);
+  EXPECT_EQ(records[199].map_id, 1);
+  EXPECT_EQ(told, (std::vector<EventKind>{EventKind::initialized, EventKind::lost, EventKind::reset,
+                                          EventKind::initialized}));
+  EXPECT_EQ(mainMap(records), 1);
+  const auto error = evaluate(scene.desk->groundTruth(), [&] {
+    Trajectory estimate = estimateOf(records);
+    for (StampedPose& pose : estimate) pose.timestamp -= 2.0;
+    return estimate;
+  }());
+  ASSERT_TRUE(error.ok());
+  EXPECT_LT(error.value().ate.rmse, 0.01);
+}
+
+TEST(Tracker, TheOldMapIsKeptUntilAnotherHasBegun) {
+  // Lost for longer than the patience with the map, in the dark: nothing else starts there.
+  const TrackedRun run = trackText("synthetic:room?size=320x240&frames=150&speed=0.4&blackout=50:80");
+  ASSERT_GE(run.first_pose, 0);
+  ASSERT_LT(run.first_pose, 50);
+  EXPECT_EQ(run.count(EventKind::reset), 0);
+  EXPECT_EQ(run.count(EventKind::relocalized), 1);
+  EXPECT_TRUE(run.records[130].relocalized);
+  EXPECT_EQ(run.records.back().map_id, 0);
+}
+
+TEST(Tracker, OneAdjustmentAtATime) {
+  const auto sequence = test::openBuiltIn("synthetic:room?size=320x240&frames=100&speed=2");
+  TrackerParameters p;
+  p.keyframe.enough_landmarks = 2000;  // a keyframe whenever the camera has moved
+  p.keyframe.few_landmarks = 2000;
+  p.keyframe.min_frames = 4;
+  Tracker tracker(sequence->camera().pinhole, p);
+  std::optional<MappingResult> held;
+  int keyframes_meanwhile = 0, next = -1;
+  for (int i = 0; i < sequence->size() && next < 0; ++i) {
+    const SequenceImage image = sequence->read(i).value();
+    tracker.process(i, image.timestamp, image.gray);
+    auto job = tracker.takeMappingJob();
+    if (!job) continue;
+    if (held && keyframes_meanwhile < 2) {
+      EXPECT_TRUE(job->adjustment.empty()) << "frame " << i;
+      keyframes_meanwhile += tracker.record().is_keyframe;
+      continue;
+    }
+    if (held && tracker.map().keyframes.size() > 2 && !job->adjustment.empty()) next = job->adjustment.newest;
+    MappingResult result = runMappingJob(*job, p.mapping);
+    if (!held && !job->adjustment.empty()) held = std::move(result);
+    else tracker.applyMapping(std::move(result));
+    if (held && keyframes_meanwhile == 2) tracker.applyMapping(*held);
+  }
+  EXPECT_EQ(keyframes_meanwhile, 2);
+  EXPECT_EQ(next, tracker.map().keyframes.rbegin()->first) << "the newest gets its turn";
+}
+
+TEST(Tracker, StandingSaysNothingAboutDepth) {
+  test::ChangedSequence sequence(test::openBuiltIn("synthetic:room?size=320x240&frames=60&noise=2"), nullptr);
+  Tracker tracker(sequence.camera().pinhole, {});
+  const TrackedRun run = track(tracker, sequence);
+  ASSERT_TRUE(run.records.back().pose_good);
+  const cv::Mat last = sequence.read(59).value().gray;
+  cv::RNG noise(7);
+  int rejected = 0;
+  for (int i = 60; i < 300; ++i) {
+    cv::Mat image, grain(last.size(), CV_16SC1);
+    noise.fill(grain, cv::RNG::NORMAL, 0, 2);
+    cv::add(last, grain, image, cv::noArray(), CV_8U);
+    tracker.process(i, i / 30.0, image);
+    if (const auto job = tracker.takeMappingJob())
+      tracker.applyMapping(runMappingJob(*job, tracker.parameters().mapping));
+    rejected += tracker.record().seeds_rejected;
+    ASSERT_TRUE(tracker.record().pose_good) << i;
+    EXPECT_FALSE(tracker.record().is_keyframe) << i << ": " << tracker.record().keyframe_reason;
+  }
+  EXPECT_LE(rejected, 20);
 }
 
 TEST(Tracker, TheMapKeepsItsKeyframeLimitAndItsOrder) {

@@ -59,6 +59,13 @@ TEST_P(InspectorScript, SelectsFeaturesAndSeeds) {
             "");
 }
 
+TEST_P(InspectorScript, AnyOrNoneDoesNotEndTheScript) {
+  EXPECT_EQ(run("run-to 60\nselect seed any or none\nexpect selected.kind == seed\n"), "");
+  EXPECT_EQ(run("goto 0\nselect seed any or none\nexpect selected.kind == none\n"), "");
+  EXPECT_NE(run("goto 0\nselect seed any\n"), "");
+  EXPECT_NE(run("select seed any or all\n"), "");
+}
+
 TEST_P(InspectorScript, SelectsByAClickOnTheImage) {
   ASSERT_EQ(run("size 1280x800\nrun-to 60\nwait 2\n"), "");
   const SnapshotPtr latest = runner.latest();
