@@ -66,6 +66,8 @@ void inlierRows(const Funnel& f) {
   const int corners = std::max(0, f.inliers - f.inlier_edgelets - f.inlier_segments);
   valueRow("Of type", counted(corners, "corner") + ", " + counted(f.inlier_edgelets, "edgelet") + ", " +
                           counted(f.inlier_segments, "segment"));
+  if (f.followed_segments)
+    valueRow("Followed", counted(f.followed_segments, "segment") + ", matched but kept out of the pose");
   valueRow("Required", counted(f.required, "inlier"));
 }
 

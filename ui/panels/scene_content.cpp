@@ -117,7 +117,8 @@ void SceneContent::addGrid() {
 }
 
 void SceneContent::addPaths(const SceneInput& input) {
-  if (input.options->ground_truth && input.truth && input.truth->valid) {
+  const int map_id = input.snapshot->record.map_id;
+  if (input.options->ground_truth && input.truth && input.truth->valid && input.truth->map_id == map_id) {
     const auto& path = input.truth->path;
     // Dashed: every other piece, so that it differs from the estimate by more than colour.
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -129,7 +130,7 @@ void SceneContent::addPaths(const SceneInput& input) {
   const FrameRecord* last = nullptr;
   for (const FrameRecord& r : *input.records) {
     if (r.index > input.snapshot->record.index) break;
-    if (!hasPoseIn(r, input.snapshot->record.map_id)) {  // other maps: in another world
+    if (!hasPoseIn(r, map_id)) {  // other maps: in another world
       last = nullptr;
       continue;
     }

@@ -156,7 +156,9 @@ void labels(PanelContext& c, const SceneCamera& camera) {
   if (o.estimate) entry(Swatch::line, methodColor(c.info.method), methodName(c.info.method));
   const TruthState& truth = c.caches.truth.state();
   if (o.ground_truth && truth.valid) {
-    entry(Swatch::dashed, ink::ground_truth, format("Ground truth, %s", alignModeName(truth.mode)));
+    const bool here = truth.map_id == c.snapshot->record.map_id;
+    entry(Swatch::dashed, ink::ground_truth,
+          here ? format("Ground truth, %s", alignModeName(truth.mode)) : format("Ground truth: with map %d", truth.map_id));
   }
   if (o.points && c.snapshot->points) {
     const bool kind = o.color_by == PointColor::kind;

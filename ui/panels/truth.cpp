@@ -77,6 +77,7 @@ TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory&
     return s;
   }
   if (result.value().matched < 3) return s;
+  s.map_id = mainMap(records);
   takeOver(s, result.value(), records);
   bringToMap(s, truth, records.back().timestamp);
   return s;

@@ -17,6 +17,7 @@ struct TruthState {
   bool valid = false;          ///< at least three poses matched
   std::string problem;         ///< why there is no result, if not
   AlignMode mode = AlignMode::sim3;
+  int map_id = -1;             ///< the map with most poses, which all of this is about
   int matched = 0;             ///< poses with ground truth
   double scale = 1;            ///< metres per map unit
   Mat3 R = Mat3::Identity();   ///< ground truth <- map
