@@ -96,7 +96,7 @@ void visitQuality(P& p, F&& f) {
   auto& t = p.tracker;
   f(ParameterInfo{"quality.min_inliers", "", "fewer after pose refinement: lost", 5, 1000}, t.quality.min_inliers);
   f(ParameterInfo{"quality.min_inlier_fraction", "", "share of matches that must be inliers", 0, 1}, t.quality.min_inlier_fraction);
-  f(ParameterInfo{"quality.min_tried_fraction", "", "share of the features tried that must be inliers", 0, 1}, t.quality.min_tried_fraction);
+  f(ParameterInfo{"quality.min_tried_fraction", "", "share of the features tried; below, inliers must give twice as many equations", 0, 1}, t.quality.min_tried_fraction);
   f(ParameterInfo{"quality.relocalized_inliers", "", "inliers that confirm a relocalization", 5, 1000}, t.quality.relocalized_inliers);
   f(ParameterInfo{"quality.relocalized_noise", "", "errors over the usual ones that confirm a relocalization", 1, 100}, t.quality.relocalized_noise);
   f(ParameterInfo{"quality.fresh_lost_frames", "frames", "lost with a young map: look for another start after", 1, 100000}, t.quality.fresh_lost_frames);

@@ -26,7 +26,7 @@ namespace svoscope {
 struct QualityParameters {
   int min_inliers = 20;            ///< fewer after pose refinement: lost
   double min_inlier_fraction = 0.4;  ///< of the matched features; below: lost
-  double min_tried_fraction = 0.12;  ///< of the features tried; below: chance, at a wrong pose
+  double min_tried_fraction = 0.12;  ///< of the features tried; below, a few edgelets may fit by chance
   int relocalized_inliers = 30;    ///< needed to accept a relocalisation ...
   double relocalized_fraction = 0.2;  ///< ... and this share of the features tried
   double relocalized_noise = 4;    ///< ... and errors at most so many times the usual ones

@@ -21,6 +21,15 @@ std::vector<PoseObservation> observationsOf(const std::vector<TrackedFeature>& f
   return observations;
 }
 
+/// What the inliers say of the pose: an edgelet is free along its edge, and two dozen of them fit by chance.
+int equationsOf(const PoseRefinementResult& pose, const std::vector<TrackedFeature>& features) {
+  int equations = 2 * pose.segment_inliers;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (pose.inlier[i]) equations += features[i].anchor.type == FeatureType::edgelet ? 1 : 2;
+  }
+  return equations;
+}
+
 }  // namespace
 
 /// Constant velocity and standing still, the one with the smaller photometric error first; then the
@@ -98,6 +107,7 @@ bool Tracker::accept(Attempt& a, int required) {
   const int followed = static_cast<int>(
       std::count_if(segments.begin(), segments.end(), [](const TrackedSegment& s) { return !s.informs; }));
   const int informing = matched - followed;
+  const int equations = a.pose.ok ? equationsOf(a.pose, a.reprojected.features) : 0;
   record_.align_rmse = a.aligned.rmse;
   record_.gain = a.aligned.gain;
   record_.offset = a.aligned.offset;
@@ -119,8 +129,8 @@ bool Tracker::accept(Attempt& a, int required) {
   } else if (inliers < parameters_.quality.min_inlier_fraction * informing) {
     a.failure = fmt::format("{} inliers are under {:.0f} % of {} matched", inliers,
                             100 * parameters_.quality.min_inlier_fraction, informing);
-  } else if (inliers < parameters_.quality.min_tried_fraction * funnel.tried) {
-    a.failure = fmt::format("{} inliers are under {:.0f} % of {} tried", inliers,
+  } else if (inliers < parameters_.quality.min_tried_fraction * funnel.tried && equations < 2 * required) {
+    a.failure = fmt::format("{} inliers with {} equations are under {:.0f} % of {} tried", inliers, equations,
                             100 * parameters_.quality.min_tried_fraction, funnel.tried);
   }
   if (!a.failure.empty()) return false;
