@@ -33,7 +33,8 @@ void update(benchmark::State& state, FilterRule rule) {
   JsdTable::instance();
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(updateBelief(rule, cases.beliefs[i & 1023], cases.measurements[i & 1023], {}));
+    benchmark::DoNotOptimize(
+        updateBelief(rule, cases.beliefs[i & 1023], cases.measurements[i & 1023], {}));
     ++i;
   }
 }
@@ -45,7 +46,8 @@ void divergence(benchmark::State& state, bool table) {
   for (auto _ : state) {
     const Belief& q = cases.beliefs[i & 1023];
     const Measurement& m = cases.measurements[i & 1023];
-    benchmark::DoNotOptimize(table ? agreement(q.mu, q.sigma2, m.x, m.tau2) : agreementNumeric(q.mu, q.sigma2, m.x, m.tau2));
+    benchmark::DoNotOptimize(table ? agreement(q.mu, q.sigma2, m.x, m.tau2)
+                                   : agreementNumeric(q.mu, q.sigma2, m.x, m.tau2));
     ++i;
   }
 }
@@ -66,11 +68,13 @@ struct Scene {
       const auto image = sequence.value()->read(i);
       if (!image.ok()) return;
       const cv::Mat gray = rectifier.rectify(image.value().gray);
-      const SE3 T_world_cam = sequence.value()->groundTruth()[static_cast<std::size_t>(i)].T_world_cam;
+      const SE3 T_world_cam =
+          sequence.value()->groundTruth()[static_cast<std::size_t>(i)].T_world_cam;
       views.push_back({i, buildPyramid(gray, pyramidLevels(gray.cols)), T_world_cam.inverse(), i});
     }
     const OccupancyGrid empty(camera.width, camera.height, scaledCell(30, camera.width));
-    for (const DetectedFeature& f : detectFeatures(*views[0].pyramid, {}, empty)) seeds.push_back(makeSeed(f, camera, 2.5, 1, {}));
+    for (const DetectedFeature& f : detectFeatures(*views[0].pyramid, {}, empty))
+      seeds.push_back(makeSeed(f, camera, 2.5, 1, {}));
     good = true;
   }
 };
@@ -93,9 +97,11 @@ void mappingFrame(benchmark::State& state, FilterRule rule, bool shadow) {
       job.T_cam_world = scene.views[v].T_cam_world;
       job.camera = scene.camera;
       job.keyframes = {scene.views[0]};
-      for (const Seed& s : seeds) job.seeds.push_back({s.id, 0, s.anchor, s.belief.mu, std::sqrt(s.belief.sigma2)});
+      for (const Seed& s : seeds)
+        job.seeds.push_back({s.id, 0, s.anchor, s.belief.mu, std::sqrt(s.belief.sigma2)});
       const MappingResult result = runMappingJob(job, p);
-      for (std::size_t i = 0; i < seeds.size(); ++i) applyMeasurement(seeds[i], result.measurements[i], p.filter);
+      for (std::size_t i = 0; i < seeds.size(); ++i)
+        applyMeasurement(seeds[i], result.measurements[i], p.filter);
       updates += static_cast<int>(seeds.size());
     }
   }
@@ -108,8 +114,10 @@ BENCHMARK_CAPTURE(divergence, jsd_table, true);
 BENCHMARK_CAPTURE(divergence, jsd_numeric, false);
 BENCHMARK_CAPTURE(mappingFrame, kl, FilterRule::kl, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mappingFrame, js, FilterRule::js, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mappingFrame, kl_with_shadow, FilterRule::kl, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mappingFrame, js_with_shadow, FilterRule::js, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mappingFrame, kl_with_shadow, FilterRule::kl, true)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mappingFrame, js_with_shadow, FilterRule::js, true)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

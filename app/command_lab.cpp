@@ -23,8 +23,8 @@ int runLabCommand(const Arguments& arguments) {
   const LabResult result = runLab(arguments.lab);
   const Status written = writeLab(arguments.out, result);
   if (!written.ok()) return reportError(written.error());
-  fmt::print("{} simulated seeds, {} updates\n{}files in {}\n", arguments.lab.seeds, arguments.lab.updates, labText(result),
-             arguments.out);
+  fmt::print("{} simulated seeds, {} updates\n{}files in {}\n", arguments.lab.seeds,
+             arguments.lab.updates, labText(result), arguments.out);
   return kExitDone;
 }
 
@@ -33,11 +33,14 @@ int runLabCommand(const Arguments& arguments) {
 void addLabCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   LabOptions& lab = arguments->lab;
-  CLI::App* command = app.add_subcommand("lab", "Compare the KL and JS depth filters on simulated seeds");
+  CLI::App* command =
+      app.add_subcommand("lab", "Compare the KL and JS depth filters on simulated seeds");
   command->footer(
       "Writes lab.csv, curves.csv and lab.png into DIR (docs/filters.md).\n\n"
       "Example:\n  svoscope lab --outliers 0.4 --out lab");
-  command->add_option("--out", arguments->out, "Folder of the results, made if absent")->required()->type_name("DIR");
+  command->add_option("--out", arguments->out, "Folder of the results, made if absent")
+      ->required()
+      ->type_name("DIR");
   const auto option = [&](const char* name, auto& value, const char* meaning) {
     command->add_option(name, value, meaning)->capture_default_str();
   };
@@ -52,7 +55,8 @@ void addLabCommand(CLI::App& app, Action& action) {
   option("--mean-depth", lab.mean_depth_m, "Mean depth, m");
   option("--min-depth", lab.min_depth_m, "Least depth, m");
   option("--seed", lab.random_seed, "Of the random numbers");
-  command->callback([arguments, &action] { action = [arguments] { return runLabCommand(*arguments); }; });
+  command->callback(
+      [arguments, &action] { action = [arguments] { return runLabCommand(*arguments); }; });
 }
 
 }  // namespace svoscope

@@ -23,7 +23,8 @@ namespace {
 
 constexpr const char* kFooter =
     "Writes trajectory.txt, keyframes.txt, frames.csv, map.ply, metrics.json and config.yaml into\n"
-    "DIR (docs/commands.md); with --record also run.svoscope (docs/recording.md). Ctrl-C writes what is\n"
+    "DIR (docs/commands.md); with --record also run.svoscope (docs/recording.md). Ctrl-C writes "
+    "what is\n"
     "done and exits with 130.\n"
     "\n"
     "Examples:\n"
@@ -66,7 +67,8 @@ int exitCodeOf(const DriveOutcome& outcome, const RunMetrics& metrics) {
 }
 
 /// `report`: print the figures. `result` is filled once there are any.
-int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments, bool report, RunMetrics& result) {
+int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments, bool report,
+                   RunMetrics& result) {
   const InterruptGuard guard;
   DriveOptions options;
   options.first_frame = arguments.run.start;
@@ -100,7 +102,8 @@ int driveAndReport(Runner& runner, RunWriter& writer, const Arguments& arguments
   const int code = exitCodeOf(outcome, metrics.value());
   const bool poses_known = arguments.poses == "groundtruth" || code == kExitDone;
   if (!arguments.depth_study || outcome.interrupted || !poses_known) return code;
-  const int study = runDepthStudyCommand(arguments.run, arguments.poses, arguments.out, writer.records());
+  const int study =
+      runDepthStudyCommand(arguments.run, arguments.poses, arguments.out, writer.records());
   return study == kExitDone ? code : study;
 }
 
@@ -117,11 +120,11 @@ int runOne(const Arguments& arguments, bool report, RunMetrics& metrics) {
   options.threaded = !arguments.sync;
   options.publish_snapshots = arguments.record;  // else nobody looks at them
   options.place_seeds = false;
-  options.history_budget = 64u << 20;            // the recorder has its own queue
+  options.history_budget = 64u << 20;  // the recorder has its own queue
   const Result<Parameters> parameters = arguments.run.parameters();
   if (!parameters.ok()) return reportError(parameters.error());
-  const std::string config =
-      "# svoscope " SVOSCOPE_VERSION "\n" + parametersYaml(parameters.value(), arguments.run.method);
+  const std::string config = "# svoscope " SVOSCOPE_VERSION "\n" +
+                             parametersYaml(parameters.value(), arguments.run.method);
   const auto recorder = std::make_shared<Recorder>();
   if (arguments.record) options.observer = recorder;
   if (arguments.depth_study) {
@@ -133,14 +136,15 @@ int runOne(const Arguments& arguments, bool report, RunMetrics& metrics) {
   RunWriter writer;
   Status begun = writer.begin(arguments.out, runner.value()->info(), config);
   if (begun.ok() && arguments.record)
-    begun = recorder->start(writer.folder() / kRecordingName, {SVOSCOPE_VERSION, arguments.quality});
+    begun =
+        recorder->start(writer.folder() / kRecordingName, {SVOSCOPE_VERSION, arguments.quality});
   if (!begun.ok()) return reportError(begun.error());
   const int code = driveAndReport(*runner.value(), writer, arguments, report, metrics);
   return closeRecording(*recorder, code);
 }
 
-/// Each method into a folder of its own, and one table of all. What went wrong first decides the exit
-/// code; that a method never initialised only if it was so with all.
+/// Each method into a folder of its own, and one table of all. What went wrong first decides the
+/// exit code; that a method never initialised only if it was so with all.
 int runAll(const Arguments& arguments) {
   std::vector<RunMetrics> rows;
   int code = kExitDone, started = 0;
@@ -162,7 +166,8 @@ int runAll(const Arguments& arguments) {
 
 int runRun(const Arguments& arguments) {
   if (looksLikeRecording(arguments.run.sequence))
-    return reportError(usageError("is a recording, run needs a sequence", arguments.run.sequence, "open it with svoscope view"));
+    return reportError(usageError("is a recording, run needs a sequence", arguments.run.sequence,
+                                  "open it with svoscope view"));
   if (arguments.run.methods.size() > 1) return runAll(arguments);
   RunMetrics metrics;
   return runOne(arguments, true, metrics);
@@ -180,7 +185,8 @@ void addRunCommand(CLI::App& app, Action& action) {
       ->type_name("DIR");
   command->add_flag("--sync", arguments->sync,
                     "Without threads: slower, the same result every time");
-  CLI::Option* record = command->add_flag("--record", arguments->record, "Also record everything for the inspector: run.svoscope");
+  CLI::Option* record = command->add_flag("--record", arguments->record,
+                                          "Also record everything for the inspector: run.svoscope");
   command->add_option("--record-quality", arguments->quality, "JPEG quality of the recorded images")
       ->needs(record)
       ->check(CLI::Range(1, 100))

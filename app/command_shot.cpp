@@ -28,10 +28,11 @@ struct Arguments {
 Result<std::string> sequenceOf(const Arguments& a, const ui::Script& script) {
   const std::optional<std::string> named = script.sequence();
   if (a.run.sequence.empty() && !named)
-    return usageError("no sequence given", "", "name one on the command line or begin the script with open SEQUENCE");
+    return usageError("no sequence given", "",
+                      "name one on the command line or begin the script with open SEQUENCE");
   if (!a.run.sequence.empty() && named && *named != a.run.sequence) {
-    return usageError("the script opens " + *named + ", the command line names " + a.run.sequence, a.script,
-                      "leave one of them out");
+    return usageError("the script opens " + *named + ", the command line names " + a.run.sequence,
+                      a.script, "leave one of them out");
   }
   return named ? *named : a.run.sequence;
 }
@@ -73,7 +74,8 @@ std::string checkSize(const std::string& text) {
 
 void addShotCommand(CLI::App& app, Action& action) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("shot", "Drive the inspector by a script without a display, write PNGs");
+  CLI::App* command =
+      app.add_subcommand("shot", "Drive the inspector by a script without a display, write PNGs");
   command->footer(
       "Example:\n"
       "  svoscope shot synthetic:room --script tour.script --out pictures --size 1920x1080\n"
@@ -83,7 +85,8 @@ void addShotCommand(CLI::App& app, Action& action) {
       "described in docs/scripts.md.\n"
       "\n"
       "Exit codes: 0 the script ran to its end, 1 an expect or run-to was not met, 2 a command\n"
-      "cannot be carried out, 3 the script or sequence cannot be read, 4 a picture cannot be written.");
+      "cannot be carried out, 3 the script or sequence cannot be read, 4 a picture cannot be "
+      "written.");
   a->run.addTo(*command, false);
   a->compare.addTo(*command);
   command->add_option("--script", a->script, "Script of actions")->required()->type_name("FILE");
@@ -91,7 +94,9 @@ void addShotCommand(CLI::App& app, Action& action) {
   command->add_option("--size", a->size, "Size in pixels, WxH")
       ->check(CLI::Validator(checkSize, "WxH"))
       ->capture_default_str();
-  command->add_option("--scale", a->scale, "Scale of text and widgets")->check(CLI::Range(0.5, 4.0))->capture_default_str();
+  command->add_option("--scale", a->scale, "Scale of text and widgets")
+      ->check(CLI::Range(0.5, 4.0))
+      ->capture_default_str();
   command->callback([a, &action] { action = [a] { return runShot(*a); }; });
 }
 

@@ -50,9 +50,11 @@ int runView(const Arguments& a) {
     inspector.script = script.value();
   } else {
     const RunInfo& info = runner.value()->info();
-    runner.value()->send({Command::Kind::set_speed, -1, "", std::to_string(info.rate_hz > 0 ? info.rate_hz : 30.0)});
+    runner.value()->send(
+        {Command::Kind::set_speed, -1, "", std::to_string(info.rate_hz > 0 ? info.rate_hz : 30.0)});
     if (runner.value()->status().recorded && !a.paused) {
-      runner.value()->send({Command::Kind::run_to_frame, info.frames, "", ""});  // all of it at once
+      runner.value()->send(
+          {Command::Kind::run_to_frame, info.frames, "", ""});  // all of it at once
     } else {
       runner.value()->send({a.paused ? Command::Kind::step : Command::Kind::play, -1, "", ""});
     }
@@ -67,7 +69,8 @@ int runView(const Arguments& a) {
 
 void addViewCommand(CLI::App& app, Action& action) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("view", "Open the inspector (the default when a sequence is given)");
+  CLI::App* command =
+      app.add_subcommand("view", "Open the inspector (the default when a sequence is given)");
   command->footer(
       "Examples:\n"
       "  svoscope synthetic:room\n"
@@ -78,12 +81,16 @@ void addViewCommand(CLI::App& app, Action& action) {
   a->run.addTo(*command);
   a->compare.addTo(*command);
   command->add_flag("--headless", a->headless, "No window: render the main screens to PNG files");
-  command->add_option("--out", a->out, "Folder of screenshots [., headless: svoscope-screens]")->type_name("DIR");
+  command->add_option("--out", a->out, "Folder of screenshots [., headless: svoscope-screens]")
+      ->type_name("DIR");
   command->add_flag("--paused", a->paused, "Show the first frame and wait");
-  command->add_option("--close-after", a->close_after, "Close the window after so many drawn frames")
+  command
+      ->add_option("--close-after", a->close_after, "Close the window after so many drawn frames")
       ->check(CLI::Range(1, 1000000000));
   command->add_flag("--sync", a->sync, "Engine without threads: the same result every time");
-  command->add_option("--scale", a->scale, "Scale of text and widgets")->check(CLI::Range(0.5, 4.0))->capture_default_str();
+  command->add_option("--scale", a->scale, "Scale of text and widgets")
+      ->check(CLI::Range(0.5, 4.0))
+      ->capture_default_str();
   command->callback([a, &action] { action = [a] { return runView(*a); }; });
 }
 

@@ -15,8 +15,8 @@ Status checkDepthStudy(const std::string& name) {
   return sequence.ok() ? depthStudyPossible(*sequence.value()) : sequence.error();
 }
 
-int runDepthStudyCommand(const RunSettings& run, const std::string& poses_from, const std::string& out,
-                         const std::vector<FrameRecord>& records) {
+int runDepthStudyCommand(const RunSettings& run, const std::string& poses_from,
+                         const std::string& out, const std::vector<FrameRecord>& records) {
   auto sequence = openSequence(run.sequence);
   if (!sequence.ok()) return reportError(sequence.error());
   const Result<Parameters> parameters = run.parameters();

@@ -13,9 +13,9 @@ namespace svoscope {
 /// Input error, before any work is done, if the sequence cannot be studied.
 Status checkDepthStudy(const std::string& sequence);
 
-/// Studies the sequence of `run` with poses from "groundtruth" or "estimate" (the `records` of a finished
-/// run, aligned), and writes the result into `out`. Returns the exit code.
-int runDepthStudyCommand(const RunSettings& run, const std::string& poses_from, const std::string& out,
-                         const std::vector<FrameRecord>& records);
+/// Studies the sequence of `run` with poses from "groundtruth" or "estimate" (the `records` of a
+/// finished run, aligned), and writes the result into `out`. Returns the exit code.
+int runDepthStudyCommand(const RunSettings& run, const std::string& poses_from,
+                         const std::string& out, const std::vector<FrameRecord>& records);
 
 }  // namespace svoscope

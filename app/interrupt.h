@@ -6,8 +6,8 @@
 
 namespace svoscope {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM set a flag so that a command can end in order; pressed
-/// again a while later they end the program at once. One at a time.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM set a flag so that a command can end in order;
+/// pressed again a while later they end the program at once. One at a time.
 class InterruptGuard {
  public:
   InterruptGuard();

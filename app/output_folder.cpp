@@ -14,8 +14,8 @@ Status prepareOutputFolder(const std::filesystem::path& folder) {
   const Status made = makeFolder(folder);
   if (!made.ok()) return made;
   if (access(folder.c_str(), W_OK | X_OK) == 0) return Done{};
-  return outputError(std::string("nothing can be written there: ") + std::strerror(errno), folder.string(),
-                     "choose another folder with --out");
+  return outputError(std::string("nothing can be written there: ") + std::strerror(errno),
+                     folder.string(), "choose another folder with --out");
 }
 
 }  // namespace svoscope

@@ -32,21 +32,25 @@ void RunSettings::addTo(CLI::App& command, bool required, const char* what) {
     }
     method = methods.front();
   };
-  CLI::Option* chosen_method =
-      command.add_option_function<std::vector<std::string>>("--method", choose, "Odometry method; repeatable")
-      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo", "all"}))
-      ->allow_extra_args(false)
-      ->type_name("METHOD")
-      ->default_str(method);
-  CLI::Option* chosen_config = command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
-  CLI::Option* chosen_set = command.add_option("--set", assignments, "One parameter as key=value; repeatable")
-      ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
+  CLI::Option* chosen_method = command
+                                   .add_option_function<std::vector<std::string>>(
+                                       "--method", choose, "Odometry method; repeatable")
+                                   ->check(CLI::IsMember({"svo", "pl-svo", "it-svo", "all"}))
+                                   ->allow_extra_args(false)
+                                   ->type_name("METHOD")
+                                   ->default_str(method);
+  CLI::Option* chosen_config =
+      command.add_option("--config", config, "YAML file with parameters")->type_name("FILE");
+  CLI::Option* chosen_set =
+      command.add_option("--set", assignments, "One parameter as key=value; repeatable")
+          ->allow_extra_args(false)
+          ->type_name("KEY=VALUE");
   CLI::Option* chosen_start = command.add_option("--start", start, "First frame, from 0")
-      ->check(CLI::Range(0, 1000000000))
-      ->capture_default_str();
-  CLI::Option* chosen_end = command.add_option("--max-frames", max_frames, "Stop after so many frames")
-      ->check(CLI::Range(1, 1000000000));
+                                  ->check(CLI::Range(0, 1000000000))
+                                  ->capture_default_str();
+  CLI::Option* chosen_end =
+      command.add_option("--max-frames", max_frames, "Stop after so many frames")
+          ->check(CLI::Range(1, 1000000000));
   of_engine_ = {chosen_method, chosen_config, chosen_set, chosen_start, chosen_end};
 }
 
@@ -59,8 +63,10 @@ Result<Parameters> RunSettings::parameters() const {
   for (const std::string& assignment : assignments) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0)
-      return usageError("'" + assignment + "' is not key=value", "--set", "as in --set reproject.cell_px=30");
-    const Status set = setParameter(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
+      return usageError("'" + assignment + "' is not key=value", "--set",
+                        "as in --set reproject.cell_px=30");
+    const Status set =
+        setParameter(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
     if (!set.ok()) return set.error();
   }
   return parameters;
@@ -72,7 +78,8 @@ Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
   if (looksLikeRecording(sequence)) {
     for (const CLI::Option* option : of_engine_) {
       if (option->count() > 0)
-        return usageError("a recording brings its own method and parameters", option->get_name(), "leave the option out");
+        return usageError("a recording brings its own method and parameters", option->get_name(),
+                          "leave the option out");
     }
     return openRun(sequence, options);
   }
@@ -81,7 +88,8 @@ Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
   return open(std::move(options), std::move(opened).value());
 }
 
-Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options, std::unique_ptr<Sequence> opened) const {
+Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options,
+                                                  std::unique_ptr<Sequence> opened) const {
   Result<Parameters> chosen = parameters();
   if (!chosen.ok()) return chosen.error();
   options.parameters = chosen.value();

@@ -11,13 +11,14 @@
 namespace CLI {
 class App;
 class Option;
-}
+}  // namespace CLI
 
 namespace svoscope {
 
 struct RunSettings {
   std::string sequence, method = "it-svo", config;
-  std::vector<std::string> methods{"it-svo"};  ///< as chosen by --method, "all" written out; `method` is the first
+  std::vector<std::string> methods{
+      "it-svo"};  ///< as chosen by --method, "all" written out; `method` is the first
   std::vector<std::string> assignments;  ///< "key=value"
   int start = 0;
   int max_frames = -1;
@@ -25,11 +26,12 @@ struct RunSettings {
   /// Adds SEQUENCE, --method, --config, --set, --start and --max-frames. `required`: SEQUENCE is.
   void addTo(CLI::App& command, bool required = true,
              const char* what = "Sequence (folder, video, synthetic:PRESET) or recording");
-  /// Opens the sequence or recording and makes its runner; `options` brings what is not on the command
-  /// line. Usage error for options of the engine with a recording.
+  /// Opens the sequence or recording and makes its runner; `options` brings what is not on the
+  /// command line. Usage error for options of the engine with a recording.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options) const;
   /// The same on a sequence that is open already.
-  Result<std::unique_ptr<Runner>> open(RunnerOptions options, std::unique_ptr<Sequence> opened) const;
+  Result<std::unique_ptr<Runner>> open(RunnerOptions options,
+                                       std::unique_ptr<Sequence> opened) const;
   /// The same settings with another method.
   RunSettings with(const std::string& other_method) const;
   /// Parameters of --config and --set: input error for the file, usage error for the line.

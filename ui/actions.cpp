@@ -33,7 +33,8 @@ namespace {
 
 bool repeats(Action action) {
   return action == Action::step || action == Action::back || action == Action::zoom_in ||
-         action == Action::zoom_out || action == Action::previous_update || action == Action::next_update;
+         action == Action::zoom_out || action == Action::previous_update ||
+         action == Action::next_update;
 }
 
 bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(index(key), repeat); }

@@ -24,7 +24,8 @@ void report(Host& host) {
   for (const std::string& warning : host.takeWarnings()) spdlog::warn("{}", warning);
 }
 
-bool save(Host& host, Inspector& inspector, const std::string& file, const std::optional<ProbeRect>& part) {
+bool save(Host& host, Inspector& inspector, const std::string& file,
+          const std::optional<ProbeRect>& part) {
   const Status status = host.screenshot(file, part);
   if (status) {
     spdlog::info("saved {}", file);

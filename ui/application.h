@@ -18,11 +18,11 @@ struct InspectorOptions {
   /// thread takes when it renders in software.
   std::unique_ptr<Runner> runner;
   SurfaceKind surface = SurfaceKind::automatic;
-  int width = 1600, height = 1000;              ///< pixels; a window's at scale 1
-  float scale = 1;                              ///< times the screen's own
-  std::optional<Script> script;                 ///< driven by it, then closed
-  std::filesystem::path out = ".";              ///< folder of screenshots
-  int exit_after_frames = 0;  ///< close after so many drawn frames; 0: when the user does
+  int width = 1600, height = 1000;  ///< pixels; a window's at scale 1
+  float scale = 1;                  ///< times the screen's own
+  std::optional<Script> script;     ///< driven by it, then closed
+  std::filesystem::path out = ".";  ///< folder of screenshots
+  int exit_after_frames = 0;        ///< close after so many drawn frames; 0: when the user does
 };
 
 /// Returns the program's exit code; errors were reported on stderr.

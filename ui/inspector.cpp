@@ -22,15 +22,24 @@ constexpr std::uint32_t kRunSlots = 100;  // textures of a run's panels
 
 const std::map<std::string, void (*)(PanelContext&)>& panelTable() {
   static const std::map<std::string, void (*)(PanelContext&)> table{
-      {"Image", drawImagePanel},           {"3-D", drawScenePanel},
-      {"Seed", drawSeedPanel},             {"Epipolar search", drawEpipolarPanel},
-      {"KL / JS", drawDivergencePanel},    {"Filter lab", drawLabPanel},
-      {"Plots", drawPlotsPanel},           {"Timing", drawTimingPanel},
-      {"Funnel", drawFunnelPanel},         {"Selection", drawSelectionPanel},
-      {"Evaluation", drawEvaluationPanel}, {"Compare images", drawCompareImagesPanel},
-      {"Compare 3-D", drawCompareScenePanel}, {"Compare metrics", drawCompareMetricsPanel},
-      {"Compare plots", drawComparePlotsPanel}, {"Parameters", drawParametersPanel},
-      {"Log", drawLogPanel},               {"Help", drawHelpPanel}};
+      {"Image", drawImagePanel},
+      {"3-D", drawScenePanel},
+      {"Seed", drawSeedPanel},
+      {"Epipolar search", drawEpipolarPanel},
+      {"KL / JS", drawDivergencePanel},
+      {"Filter lab", drawLabPanel},
+      {"Plots", drawPlotsPanel},
+      {"Timing", drawTimingPanel},
+      {"Funnel", drawFunnelPanel},
+      {"Selection", drawSelectionPanel},
+      {"Evaluation", drawEvaluationPanel},
+      {"Compare images", drawCompareImagesPanel},
+      {"Compare 3-D", drawCompareScenePanel},
+      {"Compare metrics", drawCompareMetricsPanel},
+      {"Compare plots", drawComparePlotsPanel},
+      {"Parameters", drawParametersPanel},
+      {"Log", drawLogPanel},
+      {"Help", drawHelpPanel}};
   return table;
 }
 
@@ -38,9 +47,10 @@ bool beginFixed(const char* name, ImVec2 lo, ImVec2 hi, ImU32 color, ImVec2 padd
   ImGui::SetCursorScreenPos(lo);
   ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, color);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-  const bool open = ImGui::BeginChild(name, {std::max(1.0f, hi.x - lo.x), std::max(1.0f, hi.y - lo.y)}, false,
-                                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
-                                          ImGuiWindowFlags_NoScrollWithMouse);
+  const bool open =
+      ImGui::BeginChild(name, {std::max(1.0f, hi.x - lo.x), std::max(1.0f, hi.y - lo.y)}, false,
+                        ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
+                            ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   return open;
 }
@@ -48,7 +58,10 @@ bool beginFixed(const char* name, ImVec2 lo, ImVec2 hi, ImU32 color, ImVec2 padd
 }  // namespace
 
 Inspector::Inspector(Runner& runner, Graphics& graphics)
-    : runner_(runner), graphics_(graphics), runs_(runner), views_(static_cast<std::size_t>(runs_.size())) {
+    : runner_(runner),
+      graphics_(graphics),
+      runs_(runner),
+      views_(static_cast<std::size_t>(runs_.size())) {
   for (int i = 0; i < runs_.size(); ++i) caches_.push_back(std::make_unique<PanelCaches>());
 }
 
@@ -61,14 +74,18 @@ std::optional<std::string> Inspector::takeScreenshotRequest() {
   return std::exchange(state_.screenshot, std::nullopt);
 }
 
-std::optional<float> Inspector::takeScaleRequest() { return std::exchange(scale_request_, std::nullopt); }
+std::optional<float> Inspector::takeScaleRequest() {
+  return std::exchange(scale_request_, std::nullopt);
+}
 
 void Inspector::useLayoutFile(const std::string& path) {
   layout_file_ = path;
   if (path.empty() || !std::filesystem::exists(path)) return;
   const auto layout = loadLayout(path);
-  if (layout.ok()) state_.layout = layout.value();
-  else state_.toasts.add(layout.error().message(), true);
+  if (layout.ok())
+    state_.layout = layout.value();
+  else
+    state_.toasts.add(layout.error().message(), true);
 }
 
 void Inspector::layoutChanged() {
@@ -89,7 +106,8 @@ void Inspector::switchRun() {
   const Status status = runs_.setCurrent(next);
   if (!status.ok()) return state_.toasts.add(status.error().message(), true);
   RunView& left = views_[static_cast<std::size_t>(before)];
-  left = {state_.selection, state_.highlighted, state_.seed.pinned, state_.divergence, state_.scene};
+  left = {state_.selection, state_.highlighted, state_.seed.pinned, state_.divergence,
+          state_.scene};
   const RunView& entered = views_[static_cast<std::size_t>(next)];
   state_.selection = entered.selection;
   state_.highlighted = entered.highlighted;
@@ -126,13 +144,26 @@ PanelContext Inspector::makeContext() {
   switchRun();
   updateRuns();
   graphics_.setFirstSlot(kRunSlots * static_cast<std::uint32_t>(runs_.current()));
-  PanelContext c{runner_, graphics_, state_,  now(),    runs_,   caches_, compare_, runner_.info(),
-                 runner_.status(), runner_.latest(), nullptr, nullptr, runs_.frame(), renderer_};
+  PanelContext c{runner_,
+                 graphics_,
+                 state_,
+                 now(),
+                 runs_,
+                 caches_,
+                 compare_,
+                 runner_.info(),
+                 runner_.status(),
+                 runner_.latest(),
+                 nullptr,
+                 nullptr,
+                 runs_.frame(),
+                 renderer_};
   if (state_.viewed_frame >= c.engineFrame()) state_.viewed_frame = -1;
   c.snapshot = runs_.size() > 1 || !c.live() ? runner_.at(c.viewedFrame()) : c.latest;
   c.record = c.snapshot ? &c.snapshot->record : now().run.find(c.viewedFrame());
-  now().truth.update(now().run.records(), c.info.ground_truth, static_cast<AlignMode>(state_.align_mode),
-                     now().run.generation(), !c.status.playing);
+  now().truth.update(now().run.records(), c.info.ground_truth,
+                     static_cast<AlignMode>(state_.align_mode), now().run.generation(),
+                     !c.status.playing);
   now().selection.update(runner_, state_.selection, c.latest);
   state_.linked_x.known = framesOf(caches_);
   return c;
@@ -160,9 +191,10 @@ void Inspector::drawWindow(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin("##inspector", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_MenuBar |
-                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNavInputs);
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoNavInputs);
   ImGui::PopStyleVar(2);
   drawMenu(context);
   drawBody(context);
@@ -176,8 +208,9 @@ void Inspector::drawBody(PanelContext& context) {
   const float status_top = display.y - status;
   // A narrow window wraps the transport's buttons: give it the lines it needs.
   const float lines = display.x < ImGui::GetFontSize() * 62 ? 2 : 1;
-  const float transport =
-      state_.show_transport ? std::round(lines * (ImGui::GetFrameHeight() + grid(1)) + grid(22)) : 0;
+  const float transport = state_.show_transport
+                              ? std::round(lines * (ImGui::GetFrameHeight() + grid(1)) + grid(22))
+                              : 0;
   const float transport_top = std::max(top, status_top - transport);
   LayoutView view;
   view.maximized = &state_.maximized;
@@ -186,7 +219,9 @@ void Inspector::drawBody(PanelContext& context) {
     if (found == panelTable().end()) return;
     drawExporting(context, panel, found->second);
   };
-  view.exportable = [](const std::string& panel) { return panel != "Help" && panel != "Parameters"; };
+  view.exportable = [](const std::string& panel) {
+    return panel != "Help" && panel != "Parameters";
+  };
   if (transport_top - top > grid(4)) {
     drawLayout(state_.layout, {0, top + grid(0.5f)}, {display.x, transport_top - grid(1)}, view);
   }
@@ -195,7 +230,8 @@ void Inspector::drawBody(PanelContext& context) {
   drawExportMenu(context);
   if (transport > 0) {
     const ImVec2 lo{0, transport_top}, hi{display.x, status_top};
-    if (beginFixed("##transport", lo, hi, ink::panel, {grid(2), grid(1.5f)})) drawTransportPanel(context);
+    if (beginFixed("##transport", lo, hi, ink::panel, {grid(2), grid(1.5f)}))
+      drawTransportPanel(context);
     ImGui::EndChild();
     Probe::record("panel:Transport", lo, hi);
   }
@@ -216,7 +252,8 @@ void Inspector::drawHelp(PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(IM_COL32(30, 34, 40, 252)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   if (ImGui::Begin("Help", &state_.show_help,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
+                       ImGuiWindowFlags_NoSavedSettings)) {
     drawHelpPanel(context);
   }
   ImGui::End();
@@ -258,36 +295,61 @@ void Inspector::act(Action action) {
     moveOn(runner_, state_, command);
   };
   switch (action) {
-    case Action::none: return;
-    case Action::play_pause: return togglePlay();
-    case Action::step: return step(false);
-    case Action::back: return step(true);
-    case Action::next_keyframe: return run(Command::Kind::run_to_keyframe);
-    case Action::next_loss: return run(Command::Kind::run_to_loss);
+    case Action::none:
+      return;
+    case Action::play_pause:
+      return togglePlay();
+    case Action::step:
+      return step(false);
+    case Action::back:
+      return step(true);
+    case Action::next_keyframe:
+      return run(Command::Kind::run_to_keyframe);
+    case Action::next_loss:
+      return run(Command::Kind::run_to_loss);
     case Action::first:
       if (runner_.latest()) state_.viewed_frame = runner_.status().history_first;
       return;
-    case Action::live: state_.viewed_frame = -1; return;
-    case Action::follow: state_.scene.follow = !state_.scene.follow; return;
-    case Action::screenshot: return requestScreenshot();
-    case Action::zoom_in: return zoomImage(state_.image.view, state_.image_fit, 1.25f);
-    case Action::zoom_out: return zoomImage(state_.image.view, state_.image_fit, 0.8f);
+    case Action::live:
+      state_.viewed_frame = -1;
+      return;
+    case Action::follow:
+      state_.scene.follow = !state_.scene.follow;
+      return;
+    case Action::screenshot:
+      return requestScreenshot();
+    case Action::zoom_in:
+      return zoomImage(state_.image.view, state_.image_fit, 1.25f);
+    case Action::zoom_out:
+      return zoomImage(state_.image.view, state_.image_fit, 0.8f);
     case Action::layout_1:
     case Action::layout_2:
     case Action::layout_3:
     case Action::layout_4:
     case Action::layout_5:
     case Action::layout_6:
-      return showPreset(presetNames()[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::layout_1)]);
-    case Action::next_run: state_.run_request = runs_.neighbour(1); return;
-    case Action::previous_run: state_.run_request = runs_.neighbour(-1); return;
-    case Action::previous_update: return stepUpdate(-1);
-    case Action::next_update: return stepUpdate(1);
-    case Action::help: state_.show_help = !state_.show_help; return;
+      return showPreset(presetNames()[static_cast<std::size_t>(action) -
+                                      static_cast<std::size_t>(Action::layout_1)]);
+    case Action::next_run:
+      state_.run_request = runs_.neighbour(1);
+      return;
+    case Action::previous_run:
+      state_.run_request = runs_.neighbour(-1);
+      return;
+    case Action::previous_update:
+      return stepUpdate(-1);
+    case Action::next_update:
+      return stepUpdate(1);
+    case Action::help:
+      state_.show_help = !state_.show_help;
+      return;
     case Action::clear:
-      if (state_.show_help) state_.show_help = false;
-      else if (!state_.maximized.empty()) state_.maximized.clear();
-      else state_.selection = {};
+      if (state_.show_help)
+        state_.show_help = false;
+      else if (!state_.maximized.empty())
+        state_.maximized.clear();
+      else
+        state_.selection = {};
       return;
   }
 }

@@ -67,7 +67,8 @@ class Inspector : public UiContent {
   void drawRunMenu(PanelContext& context);
   void drawViewMenu();
   void drawRunTabs();
-  void drawExporting(PanelContext& context, const std::string& panel, void (*draw_panel)(PanelContext&));
+  void drawExporting(PanelContext& context, const std::string& panel,
+                     void (*draw_panel)(PanelContext&));
   void openExportMenu(const std::string& panel);
   void drawExportMenu(PanelContext& context);
   void finishExport(PanelContext& context);

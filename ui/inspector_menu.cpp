@@ -17,7 +17,8 @@ namespace svoscope::ui {
 
 namespace {
 
-bool menuItem(const char* label, const char* keys = nullptr, bool checked = false, bool enabled = true) {
+bool menuItem(const char* label, const char* keys = nullptr, bool checked = false,
+              bool enabled = true) {
   const bool chosen = ImGui::MenuItem(label, keys, checked, enabled);
   Probe::record(label);
   return chosen;
@@ -48,10 +49,12 @@ bool runTab(const RunStyle& style, ImVec2 at, float width, bool current) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (current) list->AddRectFilled(at, hi, ink::panel);
   if (current) list->AddRectFilled(at, {hi.x, at.y + dp(2)}, style.color);
-  drawSwatch(swatchOf(style.dash), {at.x + pad + swatch * 0.4f, at.y + height / 2}, swatch * 0.28f, style.color);
+  drawSwatch(swatchOf(style.dash), {at.x + pad + swatch * 0.4f, at.y + height / 2}, swatch * 0.28f,
+             style.color);
   const ImU32 color = !style.poses_only && (current || hovered) ? ink::text : ink::dim;
   const std::string label = cut ? elided(style.label, width - swatch - 2 * pad) : style.label;
-  list->AddText({at.x + pad + swatch, at.y + (height - ImGui::GetFontSize()) / 2}, color, label.c_str());
+  list->AddText({at.x + pad + swatch, at.y + (height - ImGui::GetFontSize()) / 2}, color,
+                label.c_str());
   return pressed;
 }
 
@@ -71,7 +74,8 @@ void Inspector::drawFileMenu(PanelContext& context) {
 }
 
 void Inspector::drawRunMenu(PanelContext& context) {
-  if (menuItem(context.status.playing ? "Pause##menu" : "Play##menu", "Space")) act(Action::play_pause);
+  if (menuItem(context.status.playing ? "Pause##menu" : "Play##menu", "Space"))
+    act(Action::play_pause);
   if (menuItem("One frame forward", "Right")) act(Action::step);
   if (menuItem("One frame back", "Left", false, context.latest != nullptr)) act(Action::back);
   ImGui::Separator();
@@ -87,7 +91,8 @@ void Inspector::drawViewMenu() {
   const char* keys[] = {"1", "2", "3", "4", "5", "6"};
   for (std::size_t i = 0; i < presetNames().size(); ++i) {
     const std::string label = presetNames()[i] + " layout";
-    if (menuItem(label.c_str(), keys[i], state_.layout.name == presetNames()[i])) showPreset(presetNames()[i]);
+    if (menuItem(label.c_str(), keys[i], state_.layout.name == presetNames()[i]))
+      showPreset(presetNames()[i]);
   }
   if (menuItem("Reset layout")) showPreset(state_.layout.name);
   ImGui::Separator();
@@ -95,8 +100,10 @@ void Inspector::drawViewMenu() {
     const bool shown = hasPanel(state_.layout.root, panel);
     const std::string label = panel + " panel";
     if (!menuItem(label.c_str(), nullptr, shown)) continue;
-    if (shown) hidePanel(state_.layout.root, panel);
-    else showPanel(state_.layout.root, panel);
+    if (shown)
+      hidePanel(state_.layout.root, panel);
+    else
+      showPanel(state_.layout.root, panel);
     layoutChanged();
   }
   menuItem("Timeline##menu", nullptr, state_.show_transport) && (state_.show_transport ^= true);
@@ -110,8 +117,8 @@ void Inspector::drawViewMenu() {
   ImGui::EndMenu();
 }
 
-/// One tab per run at the right end of the bar; trajectories are listed, too, but cannot be entered.
-/// Where they do not fit, the longest labels are shortened.
+/// One tab per run at the right end of the bar; trajectories are listed, too, but cannot be
+/// entered. Where they do not fit, the longest labels are shortened.
 void Inspector::drawRunTabs() {
   if (runs_.size() < 2) return;
   const float gap = grid(1), right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - grid(1);

@@ -14,10 +14,12 @@ namespace {
 // The presets use the same text as layout.txt.
 const char* presetText(const std::string& name) {
   if (name == "Seeds")
-    return "Seeds|h 0.56 ( v 0.54 ( [Image] h 0.64 ( [Epipolar search,Plots,Log] [3-D,Selection,Parameters] ) ) "
+    return "Seeds|h 0.56 ( v 0.54 ( [Image] h 0.64 ( [Epipolar search,Plots,Log] "
+           "[3-D,Selection,Parameters] ) ) "
            "[Seed] )";
   if (name == "KL / JS")
-    return "KL / JS|h 0.56 ( [KL / JS] v 0.46 ( [Image,Seed,3-D] [Filter lab,Epipolar search,Selection] ) )";
+    return "KL / JS|h 0.56 ( [KL / JS] v 0.46 ( [Image,Seed,3-D] [Filter lab,Epipolar "
+           "search,Selection] ) )";
   if (name == "Evaluation")
     return "Evaluation|h 0.56 ( v 0.60 ( [3-D] [Plots,Timing] ) "
            "v 0.58 ( [Evaluation] [Image,Log,Selection] ) )";
@@ -112,17 +114,21 @@ Layout& Layout::operator=(const Layout& o) {
 }
 
 const std::vector<std::string>& presetNames() {
-  static const std::vector<std::string> names{"Tracking", "Seeds", "KL / JS", "Evaluation", "Compare",
-                                              "Image only"};
+  static const std::vector<std::string> names{"Tracking",   "Seeds",   "KL / JS",
+                                              "Evaluation", "Compare", "Image only"};
   return names;
 }
 
 const std::vector<std::string>& panelNames() {
-  static const std::vector<std::string> names{
-      "Image",          "3-D",         "Seed",            "Epipolar search", "KL / JS",
-      "Filter lab",     "Plots",       "Timing",          "Funnel",          "Selection",
-      "Evaluation",     "Compare images", "Compare 3-D",  "Compare metrics", "Compare plots",
-      "Parameters",     "Log",         "Help"};
+  static const std::vector<std::string> names{"Image",         "3-D",
+                                              "Seed",          "Epipolar search",
+                                              "KL / JS",       "Filter lab",
+                                              "Plots",         "Timing",
+                                              "Funnel",        "Selection",
+                                              "Evaluation",    "Compare images",
+                                              "Compare 3-D",   "Compare metrics",
+                                              "Compare plots", "Parameters",
+                                              "Log",           "Help"};
   return names;
 }
 
@@ -158,7 +164,8 @@ Status saveLayout(const Layout& layout, const std::string& path) {
   std::ofstream out(file);
   out << layoutText(layout) << '\n';
   out.close();
-  if (!out) return outputError("the layout cannot be written", path, "check the folder's permissions");
+  if (!out)
+    return outputError("the layout cannot be written", path, "check the folder's permissions");
   return Done{};
 }
 
@@ -197,7 +204,8 @@ bool raisePanel(LayoutNode& node, const std::string& panel) {
 
 void hidePanel(LayoutNode& node, const std::string& panel) {
   if (node.leaf) {
-    node.panels.erase(std::remove(node.panels.begin(), node.panels.end(), panel), node.panels.end());
+    node.panels.erase(std::remove(node.panels.begin(), node.panels.end(), panel),
+                      node.panels.end());
     node.active = std::max(0, std::min(node.active, static_cast<int>(node.panels.size()) - 1));
     return;
   }

@@ -13,8 +13,8 @@ namespace svoscope::ui {
 
 struct LayoutNode {
   bool leaf = true;
-  bool side_by_side = true;  ///< split: children left and right, else top and bottom
-  float ratio = 0.5f;        ///< share of the first child
+  bool side_by_side = true;         ///< split: children left and right, else top and bottom
+  float ratio = 0.5f;               ///< share of the first child
   std::vector<std::string> panels;  ///< leaf: titles, in tab order
   int active = 0;
   std::shared_ptr<LayoutNode> first, second;
@@ -29,10 +29,11 @@ struct Layout {
   Layout& operator=(const Layout& o);  ///< deep copy
 };
 
-const std::vector<std::string>& presetNames();  ///< "Tracking", "Seeds", "KL / JS", "Evaluation", "Compare", "Image only"
-Layout presetLayout(const std::string& name);   ///< "Tracking" if unknown
+const std::vector<std::string>&
+presetNames();  ///< "Tracking", "Seeds", "KL / JS", "Evaluation", "Compare", "Image only"
+Layout presetLayout(const std::string& name);  ///< "Tracking" if unknown
 
-const std::vector<std::string>& panelNames();   ///< every panel that can be in a layout
+const std::vector<std::string>& panelNames();  ///< every panel that can be in a layout
 
 std::string layoutText(const Layout& layout);
 /// The error says what is not understood; unknown panels are errors, too.

@@ -23,7 +23,8 @@ void toggleMaximized(LayoutView& view, const std::string& panel) {
 
 float tabWidth(const std::string& name) { return ImGui::CalcTextSize(name.c_str()).x + grid(4); }
 
-void tab(const std::string& name, ImVec2 at, float width, bool active, bool& clicked, bool& doubled) {
+void tab(const std::string& name, ImVec2 at, float width, bool active, bool& clicked,
+         bool& doubled) {
   const float height = titleHeight();
   ImGui::SetCursorScreenPos(at);
   clicked = ImGui::InvisibleButton(name.c_str(), {width, height});
@@ -60,8 +61,8 @@ std::vector<float> tabWidths(const LayoutNode& node, float room) {
 }
 
 // At the right end; returns where the rest of the bar begins.
-float exportButton(const std::string& panel, const std::string& label, float x, ImVec2 lo, ImVec2& hi,
-                   LayoutView& view) {
+float exportButton(const std::string& panel, const std::string& label, float x, ImVec2 lo,
+                   ImVec2& hi, LayoutView& view) {
   if (label.empty()) return x;
   const float width = tabWidth(label);
   const ImVec2 at{hi.x - width, lo.y};
@@ -70,7 +71,8 @@ float exportButton(const std::string& panel, const std::string& label, float x, 
   Probe::record("export:" + panel, at, {hi.x, lo.y + titleHeight()});
   const ImU32 color = ImGui::IsItemHovered() ? ink::text : ink::dim;
   ImGui::GetWindowDrawList()->AddText(
-      {at.x + grid(2), std::round(lo.y + (titleHeight() - ImGui::GetFontSize()) / 2)}, color, label.c_str());
+      {at.x + grid(2), std::round(lo.y + (titleHeight() - ImGui::GetFontSize()) / 2)}, color,
+      label.c_str());
   if (label != "Export") tooltip("Export");
   hi.x = at.x;
   return x;
@@ -84,7 +86,8 @@ void titleBar(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
   float all = 0;
   for (const std::string& name : node.panels) all += tabWidth(name);
   const std::string label = exportLabel(active, hi.x - lo.x - all, view);
-  const std::vector<float> widths = tabWidths(node, hi.x - lo.x - (label.empty() ? 0 : tabWidth(label)));
+  const std::vector<float> widths =
+      tabWidths(node, hi.x - lo.x - (label.empty() ? 0 : tabWidth(label)));
   float x = lo.x;
   for (int i = 0; i < static_cast<int>(node.panels.size()); ++i) {
     bool clicked = false, doubled = false;
@@ -119,7 +122,8 @@ void drawLeaf(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
   ImGui::SetCursorScreenPos(top);
   // Pictures are zoomed by the wheel; the lists below scroll.
   const bool picture = panel == "Image" || panel == "3-D" || panel == "Plots" ||
-                       panel == "Compare images" || panel == "Compare 3-D" || panel == "Compare plots";
+                       panel == "Compare images" || panel == "Compare 3-D" ||
+                       panel == "Compare plots";
   const ImGuiWindowFlags flags =
       ImGuiWindowFlags_AlwaysUseWindowPadding | (picture ? ImGuiWindowFlags_NoScrollWithMouse : 0);
   const ImVec2 size{std::max(1.0f, hi.x - lo.x), std::max(1.0f, hi.y - top.y)};

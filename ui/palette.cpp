@@ -61,7 +61,8 @@ ImU32 methodColor(const std::string& method) {
 }
 
 ImU32 otherRunColor(int index) {
-  constexpr std::array<ImU32, 4> colors = {okabe::green, okabe::yellow, okabe::vermillion, okabe::grey};
+  constexpr std::array<ImU32, 4> colors = {okabe::green, okabe::yellow, okabe::vermillion,
+                                           okabe::grey};
   return colors[static_cast<std::size_t>(index) % colors.size()];
 }
 
@@ -77,10 +78,14 @@ const char* ruleName(Rule rule) { return rule == Rule::kl ? "KL" : "JS"; }
 
 ImU32 originColor(FeatureOrigin origin) {
   switch (origin) {
-    case FeatureOrigin::landmark: return okabe::green;
-    case FeatureOrigin::converged_seed: return okabe::sky;
-    case FeatureOrigin::unconverged_seed: return okabe::orange;
-    case FeatureOrigin::track: return okabe::yellow;
+    case FeatureOrigin::landmark:
+      return okabe::green;
+    case FeatureOrigin::converged_seed:
+      return okabe::sky;
+    case FeatureOrigin::unconverged_seed:
+      return okabe::orange;
+    case FeatureOrigin::track:
+      return okabe::yellow;
   }
   return okabe::grey;
 }
@@ -94,56 +99,84 @@ ImU32 featureColor(const FeatureView& feature) {
 
 ImU32 seedColor(const SeedView& seed) {
   switch (seed.status) {
-    case SeedStatus::active: return okabe::orange;
-    case SeedStatus::converged: return okabe::sky;
-    case SeedStatus::promoted: return okabe::green;
-    case SeedStatus::rejected: return okabe::vermillion;
+    case SeedStatus::active:
+      return okabe::orange;
+    case SeedStatus::converged:
+      return okabe::sky;
+    case SeedStatus::promoted:
+      return okabe::green;
+    case SeedStatus::rejected:
+      return okabe::vermillion;
   }
   return okabe::grey;
 }
 
 ImU32 stateColor(TrackingState state) {
   switch (state) {
-    case TrackingState::initializing: return okabe::yellow;
-    case TrackingState::tracking: return okabe::green;
-    case TrackingState::lost: return okabe::vermillion;
+    case TrackingState::initializing:
+      return okabe::yellow;
+    case TrackingState::tracking:
+      return okabe::green;
+    case TrackingState::lost:
+      return okabe::vermillion;
   }
   return okabe::grey;
 }
 
 ImU32 eventColor(EventKind kind) {
   switch (kind) {
-    case EventKind::initialized: return okabe::yellow;
-    case EventKind::keyframe: return okabe::sky;
-    case EventKind::lost: return okabe::vermillion;
-    case EventKind::error: return okabe::vermillion;
-    case EventKind::relocalized: return okabe::green;
-    case EventKind::warning: return okabe::orange;
-    default: return okabe::grey;
+    case EventKind::initialized:
+      return okabe::yellow;
+    case EventKind::keyframe:
+      return okabe::sky;
+    case EventKind::lost:
+      return okabe::vermillion;
+    case EventKind::error:
+      return okabe::vermillion;
+    case EventKind::relocalized:
+      return okabe::green;
+    case EventKind::warning:
+      return okabe::orange;
+    default:
+      return okabe::grey;
   }
 }
 
 ImU32 stageColor(Stage stage) {
   switch (stage) {
-    case Stage::pyramid: return okabe::grey;
-    case Stage::initialize: return okabe::yellow;
-    case Stage::sparse_align: return okabe::sky;
-    case Stage::reproject: return okabe::green;
-    case Stage::pose: return okabe::orange;
-    case Stage::structure: return okabe::purple;
-    case Stage::keyframe: return okabe::blue;
-    case Stage::relocalize: return okabe::vermillion;
-    case Stage::mapping: return IM_COL32(150, 134, 190, 255);
-    case Stage::snapshot: return IM_COL32(112, 118, 128, 255);
-    default: return IM_COL32(90, 96, 106, 255);
+    case Stage::pyramid:
+      return okabe::grey;
+    case Stage::initialize:
+      return okabe::yellow;
+    case Stage::sparse_align:
+      return okabe::sky;
+    case Stage::reproject:
+      return okabe::green;
+    case Stage::pose:
+      return okabe::orange;
+    case Stage::structure:
+      return okabe::purple;
+    case Stage::keyframe:
+      return okabe::blue;
+    case Stage::relocalize:
+      return okabe::vermillion;
+    case Stage::mapping:
+      return IM_COL32(150, 134, 190, 255);
+    case Stage::snapshot:
+      return IM_COL32(112, 118, 128, 255);
+    default:
+      return IM_COL32(90, 96, 106, 255);
   }
 }
 
 const char* stateLabel(TrackingState state) {
   switch (state) {
-    case TrackingState::initializing: return "Initializing";
-    case TrackingState::tracking: return "Tracking";
-    case TrackingState::lost: return "Lost";
+    case TrackingState::initializing:
+      return "Initializing";
+    case TrackingState::tracking:
+      return "Tracking";
+    case TrackingState::lost:
+      return "Lost";
   }
   return "";
 }
@@ -162,64 +195,98 @@ std::string stateSentence(const FrameRecord& record) {
 
 const char* stageLabel(Stage stage) {
   switch (stage) {
-    case Stage::read: return "Read";
-    case Stage::rectify: return "Rectify";
-    case Stage::pyramid: return "Pyramid";
-    case Stage::initialize: return "Two-view start";
-    case Stage::sparse_align: return "Sparse align";
-    case Stage::reproject: return "Reproject";
-    case Stage::pose: return "Pose";
-    case Stage::structure: return "Structure";
-    case Stage::keyframe: return "Keyframe";
-    case Stage::relocalize: return "Relocalize";
-    case Stage::tracking: return "Tracking";
-    case Stage::mapping: return "Mapping";
-    case Stage::snapshot: return "Snapshot";
-    case Stage::count_: break;
+    case Stage::read:
+      return "Read";
+    case Stage::rectify:
+      return "Rectify";
+    case Stage::pyramid:
+      return "Pyramid";
+    case Stage::initialize:
+      return "Two-view start";
+    case Stage::sparse_align:
+      return "Sparse align";
+    case Stage::reproject:
+      return "Reproject";
+    case Stage::pose:
+      return "Pose";
+    case Stage::structure:
+      return "Structure";
+    case Stage::keyframe:
+      return "Keyframe";
+    case Stage::relocalize:
+      return "Relocalize";
+    case Stage::tracking:
+      return "Tracking";
+    case Stage::mapping:
+      return "Mapping";
+    case Stage::snapshot:
+      return "Snapshot";
+    case Stage::count_:
+      break;
   }
   return "";
 }
 
 const char* originName(FeatureOrigin origin) {
   switch (origin) {
-    case FeatureOrigin::landmark: return "Landmark";
-    case FeatureOrigin::converged_seed: return "Converged seed";
-    case FeatureOrigin::unconverged_seed: return "Unconverged seed";
-    case FeatureOrigin::track: return "Start track";
+    case FeatureOrigin::landmark:
+      return "Landmark";
+    case FeatureOrigin::converged_seed:
+      return "Converged seed";
+    case FeatureOrigin::unconverged_seed:
+      return "Unconverged seed";
+    case FeatureOrigin::track:
+      return "Start track";
   }
   return "";
 }
 
 const char* statusName(FeatureStatus status) {
   switch (status) {
-    case FeatureStatus::inlier: return "Inlier";
-    case FeatureStatus::outlier: return "Outlier";
-    case FeatureStatus::not_aligned: return "Not aligned";
-    case FeatureStatus::followed: return "Followed, not in the pose";
+    case FeatureStatus::inlier:
+      return "Inlier";
+    case FeatureStatus::outlier:
+      return "Outlier";
+    case FeatureStatus::not_aligned:
+      return "Not aligned";
+    case FeatureStatus::followed:
+      return "Followed, not in the pose";
   }
   return "";
 }
 
 const char* featureTypeName(FeatureType type) {
   switch (type) {
-    case FeatureType::corner: return "Corner";
-    case FeatureType::edgelet: return "Edgelet";
-    case FeatureType::segment: return "Segment";
+    case FeatureType::corner:
+      return "Corner";
+    case FeatureType::edgelet:
+      return "Edgelet";
+    case FeatureType::segment:
+      return "Segment";
   }
   return "";
 }
 
 const char* eventName(EventKind kind) {
   switch (kind) {
-    case EventKind::info: return "Info";
-    case EventKind::initialized: return "Initialized";
-    case EventKind::keyframe: return "Keyframe";
-    case EventKind::lost: return "Lost";
-    case EventKind::relocalized: return "Relocalized";
-    case EventKind::warning: return "Warning";
-    case EventKind::reset: return "Reset";
-    case EventKind::finished: return "Finished";
-    case EventKind::error: return "Error";
+    case EventKind::info:
+      return "Info";
+    case EventKind::initialized:
+      return "Initialized";
+    case EventKind::keyframe:
+      return "Keyframe";
+    case EventKind::lost:
+      return "Lost";
+    case EventKind::relocalized:
+      return "Relocalized";
+    case EventKind::warning:
+      return "Warning";
+    case EventKind::reset:
+      return "Reset";
+    case EventKind::finished:
+      return "Finished";
+    case EventKind::error:
+      return "Error";
   }
   return "";
 }

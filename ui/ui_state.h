@@ -60,21 +60,21 @@ struct SceneOptions {
 
 /// The seed panels: which update is looked at, which seeds are kept in view.
 struct SeedOptions {
-  bool distance = false;       ///< densities over distance, else over inverse distance
-  bool image_follows = true;   ///< stepping through updates shows the frame that was searched
-  int update = -1;             ///< index into the held updates; -1: the last one at the viewed frame
-  int update_frame = -1;       ///< viewed frame that `update` was chosen at; another one frees it
+  bool distance = false;      ///< densities over distance, else over inverse distance
+  bool image_follows = true;  ///< stepping through updates shows the frame that was searched
+  int update = -1;            ///< index into the held updates; -1: the last one at the viewed frame
+  int update_frame = -1;      ///< viewed frame that `update` was chosen at; another one frees it
   std::int64_t update_seed = -1;
   int shown_update = 0, held_updates = 0;  ///< what the panels show: from 1, and of how many
-  int step_request = 0;        ///< updates to step by, from a key
-  bool whole_range = false;    ///< densities from 0 to the range, else about the belief
+  int step_request = 0;                    ///< updates to step by, from a key
+  bool whole_range = false;                ///< densities from 0 to the range, else about the belief
   std::vector<std::int64_t> pinned;
   bool profile_in_pixels = false;
 };
 
 /// Place on the epipolar line under the mouse in the score profile; drawn in the image.
 struct SearchHover {
-  bool fresh = false;          ///< set in this UI frame
+  bool fresh = false;  ///< set in this UI frame
   bool on = false;
   int frame = -1;
   Eigen::Vector2f px = Eigen::Vector2f::Zero();
@@ -82,7 +82,7 @@ struct SearchHover {
 
 /// The epipolar line of the update looked at; drawn in the image of its frame.
 struct SearchLine {
-  bool fresh = false;          ///< set in this UI frame
+  bool fresh = false;  ///< set in this UI frame
   int frame = -1;
   Eigen::Vector2f near_px = Eigen::Vector2f::Zero(), far_px = Eigen::Vector2f::Zero();
   Eigen::Vector2f match_px = Eigen::Vector2f::Zero();
@@ -104,7 +104,7 @@ struct DivergenceOptions {
 
 /// What the filter lab's sliders stand at.
 struct LabSettings {
-  float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;            ///< two Gaussians; offset = x - mu
+  float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;  ///< two Gaussians; offset = x - mu
   float baseline = 0.15f, depth = 2.5f, pixel_noise = 4, focal = 525;  ///< two views: m, m, px, px
   float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
 };
@@ -127,13 +127,13 @@ struct UiState {
   DivergenceOptions divergence;
   CompareOptions compare;
   SceneOptions compare_scene;
-  int run_request = -1;        ///< run to become the current one in the next UI frame
+  int run_request = -1;  ///< run to become the current one in the next UI frame
   LabSettings lab;
-  int lab_section = 0;         ///< divergences, two views, population, all
-  bool lab_wait = false;       ///< hold the window until the population is simulated; for scripts
+  int lab_section = 0;    ///< divergences, two views, population, all
+  bool lab_wait = false;  ///< hold the window until the population is simulated; for scripts
   std::uint64_t lab_random_seed = 0;
   std::set<std::int64_t> highlighted;  ///< seeds, by a brush
-  LinkedX linked_x;       ///< of all plots over frames
+  LinkedX linked_x;                    ///< of all plots over frames
   std::map<std::string, PlotState> plots;
   std::set<std::string> plot_groups{"Features", "Time"};
   Layout layout = presetLayout("Tracking");
@@ -141,19 +141,19 @@ struct UiState {
   bool show_help = false;
   bool show_transport = true, show_status = true;
   float ui_scale = 1;
-  float image_fit = 1;    ///< zoom at which the image fits its panel, for the zoom keys
-  int speed = 0;          ///< index into the transport's speeds
-  int run_to = 100;       ///< frame typed for "Run to frame"
-  int align_mode = 2;     ///< none, SE(3), Sim(3)
+  float image_fit = 1;  ///< zoom at which the image fits its panel, for the zoom keys
+  int speed = 0;        ///< index into the transport's speeds
+  int run_to = 100;     ///< frame typed for "Run to frame"
+  int align_mode = 2;   ///< none, SE(3), Sim(3)
   std::string log_filter, parameter_filter;
   std::string output_folder = ".";  ///< of exports and screenshots
   Toasts toasts;
   std::optional<std::string> screenshot;
-  std::optional<ExportRequest> export_request;  ///< CSV or SVG, done in the next UI frame
-  std::optional<ExportRequest> picture_request; ///< PNG
-  int picture_delay = 0;                        ///< UI frames until then: a menu must have gone
-  std::string export_menu;                      ///< panel whose export menu is open
-  std::string export_error;                     ///< of the last export; empty: it was written
+  std::optional<ExportRequest> export_request;   ///< CSV or SVG, done in the next UI frame
+  std::optional<ExportRequest> picture_request;  ///< PNG
+  int picture_delay = 0;                         ///< UI frames until then: a menu must have gone
+  std::string export_menu;                       ///< panel whose export menu is open
+  std::string export_error;                      ///< of the last export; empty: it was written
   bool close = false;
 };
 

@@ -88,7 +88,8 @@ Comparison compare(const BenchResults& results, std::size_t a, std::size_t b,
     const bool a_done = results.completes(s, a), b_done = results.completes(s, b);
     if (a_done != b_done) (a_done ? c.only_a : c.only_b).push_back(s);
     if (!a_done && !b_done && !results.config.sequences[s].still) c.neither.push_back(s);
-    if (!a_done || !b_done) continue;  // the runs that are left would be compared with all of the other
+    if (!a_done || !b_done)
+      continue;  // the runs that are left would be compared with all of the other
     PairedGroup group{logs(results.values(s, a, figure)), logs(results.values(s, b, figure))};
     if (group.a.empty() || group.b.empty()) continue;
     c.sequences.push_back(compareRuns(s, group));

@@ -18,7 +18,8 @@ struct SequenceComparison {
   double ratio = 1;  ///< geometric mean of A's runs / that of B's
   Interval ratios;   ///< 95 % bootstrap interval over the runs; [ratio, ratio] for single runs
   /// Better or worse only if the interval leaves out 1, every run of the one lies below every run
-  /// of the other, and there are at least kLeastRuns of each: three lie apart by chance in one case of ten.
+  /// of the other, and there are at least kLeastRuns of each: three lie apart by chance in one case
+  /// of ten.
   Verdict verdict = Verdict::undecided;
 };
 
@@ -28,8 +29,8 @@ struct Comparison {
   std::vector<SequenceComparison> sequences;  ///< both have a value > 0
   double ratio = 1;                           ///< geometric mean of the sequences' ratios
   Interval ratios;                            ///< 95 % hierarchical bootstrap interval, fixed seed
-  /// From the interval, if there are at least kLeastSequences; never for a system that fails where the
-  /// other does not.
+  /// From the interval, if there are at least kLeastSequences; never for a system that fails where
+  /// the other does not.
   Verdict verdict = Verdict::undecided;
   std::vector<std::size_t> only_a, only_b, neither;  ///< sequences that not both complete
 };

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
+#include "engine/base/text_rows.h"
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
 #include "engine/dataset/loaders.h"
-#include "engine/base/text_rows.h"
 
 namespace svoscope {
 namespace {

@@ -133,7 +133,8 @@ Result<std::unique_ptr<Sequence>> ListSequence::open(ImageList list) {
 cv::Mat ListSequence::toEightBits(const cv::Mat& image) {
   if (image.depth() == CV_8U) return image;
   if (sixteen_bit_scale_ == 0) {
-    // Cameras of 10 to 14 bits are stored as 16: the upper eight bits alone would leave few grey levels.
+    // Cameras of 10 to 14 bits are stored as 16: the upper eight bits alone would leave few grey
+    // levels.
     double brightest = 0;
     cv::minMaxLoc(image, nullptr, &brightest);
     double top = 1023;
@@ -150,7 +151,8 @@ Result<SequenceImage> ListSequence::read(int index) {
   auto image = readImageFile(entry.image, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
   if (!image) return image.error();
   if (image.value().depth() != CV_8U && image.value().depth() != CV_16U)
-    return inputError("the pixels are neither 8-bit nor 16-bit integers", entry.image.string(), "convert the images to 8-bit grey");
+    return inputError("the pixels are neither 8-bit nor 16-bit integers", entry.image.string(),
+                      "convert the images to 8-bit grey");
   const Pinhole& p = list_.camera.pinhole;
   if (image.value().cols != p.width || image.value().rows != p.height)
     return inputError("the image is " + sizeText(image.value().cols, image.value().rows) +

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/text_rows.h"
 #include "engine/dataset/camera_file.h"
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
 #include "engine/dataset/loaders.h"
-#include "engine/base/text_rows.h"
 
 namespace svoscope {
 namespace {

@@ -79,7 +79,8 @@ void detectEdgelets(const Pyramid& pyramid, const DetectorParameters& p, const O
   cv::Scharr(smooth, dy, CV_16S, 0, 1);
   // Scharr's kernel sums to 32 times the central difference per pixel.
   constexpr float kScharr = 1.0f / 32.0f;
-  const auto least2 = static_cast<float>(p.min_edge_gradient * p.min_edge_gradient) / (kScharr * kScharr);
+  const auto least2 =
+      static_cast<float>(p.min_edge_gradient * p.min_edge_gradient) / (kScharr * kScharr);
   std::vector<float> strongest(best.size(), least2);
   const int border = std::max(p.border_px, 5);
   for (int y = border; y < smooth.rows - border; ++y) {

@@ -20,10 +20,10 @@ struct DetectorParameters {
 };
 
 struct DetectedFeature {
-  Vec2 px = Vec2::Zero();     ///< level-0 coordinates
+  Vec2 px = Vec2::Zero();  ///< level-0 coordinates
   int level = 0;
   FeatureType type = FeatureType::corner;
-  double score = 0;           ///< comparable within a type
+  double score = 0;                  ///< comparable within a type
   Vec2 gradient_dir = Vec2::Zero();  ///< unit vector across the edge; zero for corners
 };
 

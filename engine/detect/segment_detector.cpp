@@ -20,11 +20,13 @@ constexpr double kLsdShift = 0.5 / kLsdScale - 0.5;
 bool longer(const DetectedSegment& a, const DetectedSegment& b) { return a.length() > b.length(); }
 
 /// Whether `b` continues the longer segment `a`; same direction, so same polarity.
-bool continues(const DetectedSegment& a, const DetectedSegment& b, const SegmentDetectorParameters& p) {
+bool continues(const DetectedSegment& a, const DetectedSegment& b,
+               const SegmentDetectorParameters& p) {
   const Vec2 da = (a.px[1] - a.px[0]).normalized(), db = (b.px[1] - b.px[0]).normalized();
   if (da.dot(db) < std::cos(p.merge_angle_deg * kDegree)) return false;
   const ImageLine line = lineThrough(a.px[0], a.px[1]);
-  if (std::abs(line.distance(b.px[0])) > p.merge_distance_px || std::abs(line.distance(b.px[1])) > p.merge_distance_px)
+  if (std::abs(line.distance(b.px[0])) > p.merge_distance_px ||
+      std::abs(line.distance(b.px[1])) > p.merge_distance_px)
     return false;
   const double s0 = da.dot(b.px[0] - a.px[0]), s1 = da.dot(b.px[1] - a.px[0]);
   return std::max(s0 - a.length(), -s1) <= p.merge_gap_px;
@@ -93,7 +95,8 @@ bool trimToImage(const cv::Mat& image, double border, DetectedSegment& s) {
 
 }  // namespace
 
-std::vector<DetectedSegment> mergeCollinear(std::vector<DetectedSegment> segments, const SegmentDetectorParameters& p) {
+std::vector<DetectedSegment> mergeCollinear(std::vector<DetectedSegment> segments,
+                                            const SegmentDetectorParameters& p) {
   std::stable_sort(segments.begin(), segments.end(), longer);
   // A joined segment reaches further and may meet another piece: until nothing changes.
   for (bool changed = true; changed;) {
@@ -114,26 +117,34 @@ std::vector<DetectedSegment> mergeCollinear(std::vector<DetectedSegment> segment
   return segments;
 }
 
-std::vector<DetectedSegment> detectSegments(const Pyramid& pyramid, const SegmentDetectorParameters& p,
+std::vector<DetectedSegment> detectSegments(const Pyramid& pyramid,
+                                            const SegmentDetectorParameters& p,
                                             const std::vector<DetectedSegment>& tracked) {
   const int level = std::min<int>(p.level, static_cast<int>(pyramid.size()) - 1);
   const cv::Mat& image = pyramid.front();
   const double least = p.min_length_px * image.cols / 640.0;
   std::vector<DetectedSegment> raw = runDetector(pyramid[level], level);
   // Short pieces are joined too, but what is far too short only costs time.
-  raw.erase(std::remove_if(raw.begin(), raw.end(), [&](const auto& s) { return s.length() < 0.3 * least; }), raw.end());
+  raw.erase(std::remove_if(raw.begin(), raw.end(),
+                           [&](const auto& s) { return s.length() < 0.3 * least; }),
+            raw.end());
   OccupancyGrid grid(image.cols, image.rows, scaledCell(p.cell_px, image.cols));
   std::vector<int> count(static_cast<std::size_t>(grid.cells()), 0);
   const auto middle = [](const DetectedSegment& s) { return Vec2(0.5 * (s.px[0] + s.px[1])); };
-  for (const DetectedSegment& s : tracked) ++count[static_cast<std::size_t>(grid.cellOf(middle(s)))];
+  for (const DetectedSegment& s : tracked)
+    ++count[static_cast<std::size_t>(grid.cellOf(middle(s)))];
   std::vector<DetectedSegment> kept;
   for (DetectedSegment& s : mergeCollinear(std::move(raw), p)) {
     if (static_cast<int>(kept.size() + tracked.size()) >= p.max_segments) break;
     if (!trimToImage(image, 8, s) || s.length() < least) continue;
     int& in_cell = count[static_cast<std::size_t>(grid.cellOf(middle(s)))];
     if (in_cell >= p.per_cell) continue;
-    const auto repeats = [&](const DetectedSegment& o) { return sameEdge(s.px, o.px, 8, p.separation_px, 0.3); };
-    if (std::any_of(kept.begin(), kept.end(), repeats) || std::any_of(tracked.begin(), tracked.end(), repeats)) continue;
+    const auto repeats = [&](const DetectedSegment& o) {
+      return sameEdge(s.px, o.px, 8, p.separation_px, 0.3);
+    };
+    if (std::any_of(kept.begin(), kept.end(), repeats) ||
+        std::any_of(tracked.begin(), tracked.end(), repeats))
+      continue;
     ++in_cell;
     kept.push_back(s);
   }

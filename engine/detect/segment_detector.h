@@ -11,15 +11,15 @@
 namespace svoscope {
 
 struct SegmentDetectorParameters {
-  int level = 0;                  ///< pyramid level searched
-  double min_length_px = 40;      ///< shortest segment, px at 640 px width; grows with the image
-  double merge_angle_deg = 2;     ///< pieces of one line differ in direction by less ...
-  double merge_distance_px = 1.5; ///< ... lie this close to the longer one's line ...
-  double merge_gap_px = 12;       ///< ... and leave a gap of at most this
-  double separation_px = 6;       ///< between parallel segments kept, px
-  int cell_px = 80;               ///< grid cell for midpoints, px at 640 px width
-  int per_cell = 3;               ///< segments whose midpoint lies in one cell, longest first
-  int max_segments = 60;          ///< per keyframe, those already tracked included
+  int level = 0;                   ///< pyramid level searched
+  double min_length_px = 40;       ///< shortest segment, px at 640 px width; grows with the image
+  double merge_angle_deg = 2;      ///< pieces of one line differ in direction by less ...
+  double merge_distance_px = 1.5;  ///< ... lie this close to the longer one's line ...
+  double merge_gap_px = 12;        ///< ... and leave a gap of at most this
+  double separation_px = 6;        ///< between parallel segments kept, px
+  int cell_px = 80;                ///< grid cell for midpoints, px at 640 px width
+  int per_cell = 3;                ///< segments whose midpoint lies in one cell, longest first
+  int max_segments = 60;           ///< per keyframe, those already tracked included
 };
 
 /// Level-0 pixels. Directed: the brighter side is always on the same hand.
@@ -34,7 +34,8 @@ std::vector<DetectedSegment> mergeCollinear(std::vector<DetectedSegment> segment
                                             const SegmentDetectorParameters& parameters);
 
 /// New segments, longest first; none that shows the same edge as one of `tracked`.
-std::vector<DetectedSegment> detectSegments(const Pyramid& pyramid, const SegmentDetectorParameters& parameters,
+std::vector<DetectedSegment> detectSegments(const Pyramid& pyramid,
+                                            const SegmentDetectorParameters& parameters,
                                             const std::vector<DetectedSegment>& tracked);
 
 }  // namespace svoscope

@@ -33,14 +33,16 @@ Error nothingMatches(const Trajectory& gt, const Trajectory& est, double max_dt)
       (gt.back().timestamp < est.front().timestamp || est.back().timestamp < gt.front().timestamp);
   const bool empty = gt.empty() || est.empty();
   return inputError(
-      empty ? fmt::format("the {} has no pose", gt.empty() ? "ground truth" : "estimate")
+      empty   ? fmt::format("the {} has no pose", gt.empty() ? "ground truth" : "estimate")
       : apart ? std::string("the timestamps do not overlap")
-            : fmt::format("no timestamps match within {} s", max_dt),
+              : fmt::format("no timestamps match within {} s", max_dt),
       "association",
-      fmt::format("the ground truth {}, the estimate {}; {}", range(gt), range(est),
-                  empty   ? "there is nothing to compare"
-                  : apart ? "are both of the same sequence? `svoscope eval` shifts clocks by --offset"
-                          : "`svoscope eval` takes a wider limit, --max-dt, and shifts clocks by --offset"));
+      fmt::format(
+          "the ground truth {}, the estimate {}; {}", range(gt), range(est),
+          empty ? "there is nothing to compare"
+          : apart
+              ? "are both of the same sequence? `svoscope eval` shifts clocks by --offset"
+              : "`svoscope eval` takes a wider limit, --max-dt, and shifts clocks by --offset"));
 }
 
 }  // namespace

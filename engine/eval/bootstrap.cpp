@@ -24,7 +24,8 @@ double resampledMean(std::mt19937_64& random, const std::vector<double>& values)
 double expandedTail(double level, std::size_t n) {
   if (n < 2) return 0.5 * (1 - level);
   const double dof = static_cast<double>(n) - 1;
-  const double z = std::sqrt((dof + 1) / dof) * studentQuantile(0.5 * (1 + level), static_cast<int>(n) - 1);
+  const double z =
+      std::sqrt((dof + 1) / dof) * studentQuantile(0.5 * (1 + level), static_cast<int>(n) - 1);
   return 0.5 * std::erfc(z / std::sqrt(2.0));
 }
 
@@ -45,7 +46,8 @@ Interval percentiles(std::vector<double> values, double level, std::size_t n) {
 
 double studentQuantile(double fraction, int degrees_of_freedom) {
   const double n = degrees_of_freedom;
-  const double scale = std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n)) / std::sqrt(n * M_PI);
+  const double scale =
+      std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n)) / std::sqrt(n * M_PI);
   // With t = sqrt(n) tan(a) the density becomes a power of the cosine, over a finite range.
   const auto cdf = [&](double t) {
     const double end = std::atan(t / std::sqrt(n));
@@ -58,7 +60,8 @@ double studentQuantile(double fraction, int degrees_of_freedom) {
     return 0.5 + scale * std::sqrt(n) * sum * end / (3 * kSteps);
   };
   double low = 0, high = 1e3;
-  for (int i = 0; i < 60; ++i) (cdf(0.5 * (low + high)) < fraction ? low : high) = 0.5 * (low + high);
+  for (int i = 0; i < 60; ++i)
+    (cdf(0.5 * (low + high)) < fraction ? low : high) = 0.5 * (low + high);
   return 0.5 * (low + high);
 }
 
@@ -94,7 +97,8 @@ PairedDifference bootstrapPaired(const std::vector<PairedGroup>& groups,
     means.push_back(sum / n);
   }
   const PairedGroup& first = groups.front();
-  const std::size_t values = groups.size() > 1 ? groups.size() : std::min(first.a.size(), first.b.size());
+  const std::size_t values =
+      groups.size() > 1 ? groups.size() : std::min(first.a.size(), first.b.size());
   result.interval = percentiles(std::move(means), options.level, values);
   return result;
 }

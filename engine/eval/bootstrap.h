@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Intervals by resampling (Efron & Tibshirani, An Introduction to the Bootstrap, 1993, ch. 13), expanded for few
-// values (Hesterberg, What Teachers Should Know about the Bootstrap, 2015, sec. 3.2): plain percentile intervals of
-// six values miss the truth more than twice as often as they say.
+// Intervals by resampling (Efron & Tibshirani, An Introduction to the Bootstrap, 1993, ch. 13),
+// expanded for few values (Hesterberg, What Teachers Should Know about the Bootstrap, 2015,
+// sec. 3.2): plain percentile intervals of six values miss the truth more than twice as often as
+// they say.
 #pragma once
 
 #include <cstdint>
@@ -33,9 +34,9 @@ struct PairedDifference {
   int groups = 0;
 };
 
-/// Expanded percentile interval of the mean difference, for as many values as there are groups, or runs if it is
-/// one group. Groups are drawn with replacement, and within a
-/// group the runs of a and of b: both the choice of sequences and the spread of runs count.
+/// Expanded percentile interval of the mean difference, for as many values as there are groups, or
+/// runs if it is one group. Groups are drawn with replacement, and within a group the runs of a and
+/// of b: both the choice of sequences and the spread of runs count.
 PairedDifference bootstrapPaired(const std::vector<PairedGroup>& groups,
                                  const BootstrapOptions& options = {});
 

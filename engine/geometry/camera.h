@@ -15,7 +15,7 @@ namespace svoscope {
 
 /// Ideal pinhole of the rectified image.
 struct Pinhole {
-  int width = 0, height = 0;         ///< px
+  int width = 0, height = 0;              ///< px
   double fx = 0, fy = 0, cx = 0, cy = 0;  ///< px
 
   /// Pixel of a point in the camera frame; z must be positive.

@@ -41,8 +41,8 @@ SE3 SE3::exp(const Vec6& twist) {
   const Vec3 v = twist.head<3>();
   const Vec3 w = twist.tail<3>();
   const double theta2 = w.squaredNorm();
-  double a = 0.5 - theta2 / 24.0;        // (1 - cos) / theta^2
-  double b = 1.0 / 6.0 - theta2 / 120.0; // (theta - sin) / theta^3
+  double a = 0.5 - theta2 / 24.0;         // (1 - cos) / theta^2
+  double b = 1.0 / 6.0 - theta2 / 120.0;  // (theta - sin) / theta^3
   if (theta2 > kSmallAngleSquared) {
     const double theta = std::sqrt(theta2);
     a = (1.0 - std::cos(theta)) / theta2;

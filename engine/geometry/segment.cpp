@@ -33,18 +33,23 @@ double lineVariance(const Vec2& a, const Vec2& b, const Vec2& at) {
 }
 
 Vec3 linePlane(const Pinhole& c, const ImageLine& l) {
-  return {l.normal.x() * c.fx, l.normal.y() * c.fy, l.normal.x() * c.cx + l.normal.y() * c.cy - l.offset};
+  return {l.normal.x() * c.fx, l.normal.y() * c.fy,
+          l.normal.x() * c.cx + l.normal.y() * c.cy - l.offset};
 }
 
-bool clipToImage(const Pinhole& c, const Vec3& p0, const Vec3& p1, double border, double& t0, double& t1) {
+bool clipToImage(const Pinhole& c, const Vec3& p0, const Vec3& p1, double border, double& t0,
+                 double& t1) {
   t0 = 0;
   t1 = 1;
   // Each side of the image is a plane through the camera centre.
-  const Vec3 sides[4] = {{c.fx, 0, c.cx - border}, {-c.fx, 0, c.width - 1 - border - c.cx},
-                         {0, c.fy, c.cy - border}, {0, -c.fy, c.height - 1 - border - c.cy}};
+  const Vec3 sides[4] = {{c.fx, 0, c.cx - border},
+                         {-c.fx, 0, c.width - 1 - border - c.cx},
+                         {0, c.fy, c.cy - border},
+                         {0, -c.fy, c.height - 1 - border - c.cy}};
   if (!clipHalf(p0.z() - kNear, p1.z() - kNear, t0, t1)) return false;
-  return std::all_of(std::begin(sides), std::end(sides),
-                     [&](const Vec3& side) { return clipHalf(side.dot(p0), side.dot(p1), t0, t1); });
+  return std::all_of(std::begin(sides), std::end(sides), [&](const Vec3& side) {
+    return clipHalf(side.dot(p0), side.dot(p1), t0, t1);
+  });
 }
 
 Row6 lineTwistJacobian(const Pinhole& camera, const Vec3& p, const Vec2& normal) {
@@ -54,7 +59,8 @@ Row6 lineTwistJacobian(const Pinhole& camera, const Vec3& p, const Vec2& normal)
   return J;
 }
 
-Row3 linePointJacobian(const Pinhole& camera, const Vec3& p, const Mat3& R_cam_world, const Vec2& normal) {
+Row3 linePointJacobian(const Pinhole& camera, const Vec3& p, const Mat3& R_cam_world,
+                       const Vec2& normal) {
   return normal.transpose() * camera.projectJacobian(p) * R_cam_world;
 }
 
@@ -79,7 +85,8 @@ RayLineIntersection intersectRayLine(const Pinhole& camera, const SE3& T_cur_ref
   return out;
 }
 
-bool sameEdge(const Vec2 (&a)[2], const Vec2 (&b)[2], double max_angle_deg, double distance_px, double overlap) {
+bool sameEdge(const Vec2 (&a)[2], const Vec2 (&b)[2], double max_angle_deg, double distance_px,
+              double overlap) {
   const double la = (a[1] - a[0]).norm(), lb = (b[1] - b[0]).norm();
   if (la < 1e-9 || lb < 1e-9) return false;
   const Vec2 da = (a[1] - a[0]) / la, db = (b[1] - b[0]) / lb;
@@ -88,9 +95,12 @@ bool sameEdge(const Vec2 (&a)[2], const Vec2 (&b)[2], double max_angle_deg, doub
   const auto& longer = a_longer ? a : b;
   const auto& shorter = a_longer ? b : a;
   const Vec2 d = a_longer ? da : db;
-  if (std::abs(lineThrough(longer[0], longer[1]).distance(0.5 * (shorter[0] + shorter[1]))) > distance_px) return false;
+  if (std::abs(lineThrough(longer[0], longer[1]).distance(0.5 * (shorter[0] + shorter[1]))) >
+      distance_px)
+    return false;
   const double s0 = d.dot(shorter[0] - longer[0]), s1 = d.dot(shorter[1] - longer[0]);
-  const double common = std::min(std::max(s0, s1), std::max(la, lb)) - std::max(std::min(s0, s1), 0.0);
+  const double common =
+      std::min(std::max(s0, s1), std::max(la, lb)) - std::max(std::min(s0, s1), 0.0);
   return common >= overlap * std::min(la, lb);
 }
 

@@ -10,11 +10,11 @@ namespace svoscope {
 
 /// A point on the ray of the reference position, by two views.
 struct TwoRayPoint {
-  double inv_depth = 0;    ///< 1 / z in the reference camera, 1 / unit of t; not positive: behind
-  double sigma = 0;        ///< of inv_depth for an error of 1 on the unit plane of cur
-  double error = 0;        ///< distance of x_cur from the projected point, unit plane
-  double parallax = 0;     ///< angle between the two rays, radians
-  bool in_front = false;   ///< z > 0 in both cameras
+  double inv_depth = 0;   ///< 1 / z in the reference camera, 1 / unit of t; not positive: behind
+  double sigma = 0;       ///< of inv_depth for an error of 1 on the unit plane of cur
+  double error = 0;       ///< distance of x_cur from the projected point, unit plane
+  double parallax = 0;    ///< angle between the two rays, radians
+  bool in_front = false;  ///< z > 0 in both cameras
 
   /// The point in the reference camera's frame; only for inv_depth > 0.
   Vec3 point(const Vec2& x_ref) const { return x_ref.homogeneous() / inv_depth; }
@@ -36,7 +36,7 @@ struct PointView {
 
 struct RefinedPoint {
   Vec3 p_world = Vec3::Zero();
-  double rms = 0;          ///< weighted, unit plane
+  double rms = 0;  ///< weighted, unit plane
   int iterations = 0;
   bool converged = false;  ///< false: behind a camera, or the normal equations are singular
 };

@@ -83,8 +83,7 @@ void fillStructure(const TwoViewData& data, const TwoViewOptions& options, TwoVi
     index.push_back(i);
     problem.x_ref.push_back(data.x_ref[i]);
     problem.normal_ref.push_back(Vec2::Zero());
-    problem.inv_depth.push_back(
-        triangulate(out.T_cur_ref, data.x_ref[i], data.x_cur[i]).inv_depth);
+    problem.inv_depth.push_back(triangulate(out.T_cur_ref, data.x_ref[i], data.x_cur[i]).inv_depth);
     problem.x[0].push_back(data.x_cur[i]);
   }
   MultiViewOptions bundle;
@@ -122,8 +121,8 @@ void judge(const TwoViewOptions& o, int tracks, TwoViewResult& out) {
     out.reason = formatLine("%d inliers of %d < %d", out.inliers, tracks, wanted);
   } else if (out.candidates.size() > 1) {
     out.verdict = TwoViewVerdict::ambiguous;
-    out.reason = formatLine("%d poses explain the motion alike",
-                            static_cast<int>(out.candidates.size()));
+    out.reason =
+        formatLine("%d poses explain the motion alike", static_cast<int>(out.candidates.size()));
   } else {
     out.verdict = TwoViewVerdict::ok;
     out.reason = formatLine("%s, %d inliers of %d, %.2f px", twoViewModelName(out.model),
@@ -150,23 +149,34 @@ std::vector<TwoViewPose> findPoses(const TwoViewData& data, const Eigen::Quatern
 
 const char* twoViewVerdictName(TwoViewVerdict verdict) {
   switch (verdict) {
-    case TwoViewVerdict::ok: return "ok";
-    case TwoViewVerdict::too_few_tracks: return "too few tracks";
-    case TwoViewVerdict::rotation_only: return "rotation only";
-    case TwoViewVerdict::low_parallax: return "low parallax";
-    case TwoViewVerdict::too_few_inliers: return "too few inliers";
-    case TwoViewVerdict::ambiguous: return "ambiguous";
-    case TwoViewVerdict::poor_fit: return "poor fit";
+    case TwoViewVerdict::ok:
+      return "ok";
+    case TwoViewVerdict::too_few_tracks:
+      return "too few tracks";
+    case TwoViewVerdict::rotation_only:
+      return "rotation only";
+    case TwoViewVerdict::low_parallax:
+      return "low parallax";
+    case TwoViewVerdict::too_few_inliers:
+      return "too few inliers";
+    case TwoViewVerdict::ambiguous:
+      return "ambiguous";
+    case TwoViewVerdict::poor_fit:
+      return "poor fit";
   }
   return "?";
 }
 
 const char* twoViewModelName(TwoViewModel model) {
   switch (model) {
-    case TwoViewModel::none: return "none";
-    case TwoViewModel::rotation: return "rotation";
-    case TwoViewModel::homography: return "homography";
-    case TwoViewModel::essential: return "essential";
+    case TwoViewModel::none:
+      return "none";
+    case TwoViewModel::rotation:
+      return "rotation";
+    case TwoViewModel::homography:
+      return "homography";
+    case TwoViewModel::essential:
+      return "essential";
   }
   return "?";
 }
@@ -180,8 +190,12 @@ TwoViewResult estimateTwoView(const std::vector<Vec2>& x_ref, const std::vector<
   out.reason = formatLine("%d tracks < %d", tracks, options.min_tracks);
   if (tracks < std::max(8, options.min_tracks)) return out;
 
-  const TwoViewData data{x_ref, x_cur, options.sigma_px / options.focal,
-                         options.inlier_px / options.focal, options.max_samples, options.seed};
+  const TwoViewData data{x_ref,
+                         x_cur,
+                         options.sigma_px / options.focal,
+                         options.inlier_px / options.focal,
+                         options.max_samples,
+                         options.seed};
   std::vector<double> moved;
   for (int i = 0; i < tracks; ++i) moved.push_back((x_ref[i] - x_cur[i]).norm() * options.focal);
   out.disparity_px = medianOf(moved);
@@ -196,8 +210,8 @@ TwoViewResult estimateTwoView(const std::vector<Vec2>& x_ref, const std::vector<
   std::vector<TwoViewPose> poses = findPoses(data, q, H, hints);
   const TwoViewPose best = poses.front();
   out.gric_essential = gric(epipolarErrors(best.T_cur_ref, data), data.sigma, 3, 5);
-  out.model = out.gric_homography < out.gric_essential ? TwoViewModel::homography
-                                                       : TwoViewModel::essential;
+  out.model =
+      out.gric_homography < out.gric_essential ? TwoViewModel::homography : TwoViewModel::essential;
   for (const TwoViewPose& pose : poses)
     if (pose.cost < options.max_candidate_ratio * best.cost + 0.05) out.candidates.push_back(pose);
   out.T_cur_ref = best.T_cur_ref;

@@ -15,9 +15,9 @@ using Eigen::Index;
 
 /// Normal equations with one scalar per point: H = [A C; C^T D], A block diagonal, D diagonal.
 struct NormalEquations {
-  Eigen::MatrixXd A;   ///< 6K x 6K
-  Eigen::MatrixXd C;   ///< 6K x N
-  Eigen::VectorXd D;   ///< N
+  Eigen::MatrixXd A;     ///< 6K x 6K
+  Eigen::MatrixXd C;     ///< 6K x N
+  Eigen::VectorXd D;     ///< N
   Eigen::VectorXd a, d;  ///< right-hand sides
 };
 
@@ -34,9 +34,8 @@ NormalEquations assemble(const MultiViewProblem& p, const MultiViewOptions& o, d
     Mat6 A = Mat6::Zero();
     Vec6 a = Vec6::Zero();
     for (Index i = 0; i < points; ++i) {
-      const WeightedResidual r = weightedResidual(p, static_cast<std::size_t>(k),
-                                                  static_cast<std::size_t>(i), o.focal,
-                                                  o.edgelet_weight);
+      const WeightedResidual r = weightedResidual(
+          p, static_cast<std::size_t>(k), static_cast<std::size_t>(i), o.focal, o.edgelet_weight);
       if (!r.valid) continue;
       const double w = r.information / (1 + r.r.squaredNorm() / (c * c));
       A.noalias() += w * r.J_pose.transpose() * r.J_pose;
@@ -51,7 +50,8 @@ NormalEquations assemble(const MultiViewProblem& p, const MultiViewOptions& o, d
   return n;
 }
 
-/// In a fixed order: the last digits of Eigen's mean() depend on the address of the values. 1 if empty.
+/// In a fixed order: the last digits of Eigen's mean() depend on the address of the values. 1 if
+/// empty.
 double meanOf(const Eigen::VectorXd& v) {
   double sum = 0;
   for (const double x : v) sum += x;
@@ -72,8 +72,8 @@ MultiViewResidual multiViewResidual(const SE3& T_frame_ref, const Vec2& x_ref, d
                                     const Vec2& x, double focal) {
   // The point times its inverse depth: finite at infinity, and the projection is the same.
   MultiViewResidual out;
-  const Vec3 q = T_frame_ref.quaternion() * x_ref.homogeneous() +
-                 inv_depth * T_frame_ref.translation();
+  const Vec3 q =
+      T_frame_ref.quaternion() * x_ref.homogeneous() + inv_depth * T_frame_ref.translation();
   out.valid = x.allFinite() && q.z() > 1e-3;
   if (!out.valid) return out;
   const Mat23 P = focal * unitPlaneJacobian(q);
@@ -87,9 +87,8 @@ MultiViewResidual multiViewResidual(const SE3& T_frame_ref, const Vec2& x_ref, d
 WeightedResidual weightedResidual(const MultiViewProblem& problem, std::size_t frame,
                                   std::size_t point, double focal, double edgelet_weight) {
   const SE3& T = problem.T_frame_ref[frame];
-  const MultiViewResidual full = multiViewResidual(T, problem.x_ref[point],
-                                                   problem.inv_depth[point],
-                                                   problem.x[frame][point], focal);
+  const MultiViewResidual full = multiViewResidual(
+      T, problem.x_ref[point], problem.inv_depth[point], problem.x[frame][point], focal);
   WeightedResidual out;
   out.valid = full.valid;
   if (!out.valid) return out;

@@ -148,9 +148,7 @@ SE3 refineEpipolar(const SE3& T_cur_ref, const TwoViewData& data, int iterations
 
 SE3 fitEssential(const TwoViewData& data, const std::vector<SE3>& starts) {
   const auto minimal = [&](const std::vector<int>& sample) { return fivePoint(data, sample); };
-  const auto polish = [&](const SE3& T, int rounds) {
-    return refineEpipolar(T, data, 3 * rounds);
-  };
+  const auto polish = [&](const SE3& T, int rounds) { return refineEpipolar(T, data, 3 * rounds); };
   // A correspondence behind a camera is as bad as an outlier.
   const auto cost = [&](const SE3& T) {
     std::vector<double> errors = epipolarErrors(T, data);

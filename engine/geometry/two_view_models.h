@@ -13,8 +13,8 @@ namespace svoscope {
 struct TwoViewData {
   const std::vector<Vec2>& x_ref;
   const std::vector<Vec2>& x_cur;
-  double sigma = 0;        ///< noise, unit plane
-  double inlier = 0;       ///< inlier limit, unit plane
+  double sigma = 0;   ///< noise, unit plane
+  double inlier = 0;  ///< inlier limit, unit plane
   int max_samples = 200;
   unsigned seed = 1;
   int size() const { return static_cast<int>(x_ref.size()); }

@@ -13,23 +13,30 @@ namespace svoscope {
 namespace {
 
 constexpr int kLeft = 84, kRight = 20, kTop = 40, kBottom = 62;
-constexpr int kSubpixel = 4;   // bits of fraction in OpenCV's line coordinates
+constexpr int kSubpixel = 4;  // bits of fraction in OpenCV's line coordinates
 const cv::Scalar kInk(40, 40, 40), kGrid(228, 228, 228);
 
 cv::Scalar bgr(ChartColor color) {
   switch (color) {
-    case ChartColor::blue: return {178, 114, 0};
-    case ChartColor::vermillion: return {0, 94, 213};
-    case ChartColor::orange: return {0, 159, 230};
-    case ChartColor::green: return {115, 158, 0};
-    case ChartColor::grey: return {150, 150, 150};
-    case ChartColor::black: break;
+    case ChartColor::blue:
+      return {178, 114, 0};
+    case ChartColor::vermillion:
+      return {0, 94, 213};
+    case ChartColor::orange:
+      return {0, 159, 230};
+    case ChartColor::green:
+      return {115, 158, 0};
+    case ChartColor::grey:
+      return {150, 150, 150};
+    case ChartColor::black:
+      break;
   }
   return {0, 0, 0};
 }
 
 /// `anchor`: 0 left, 0.5 centred, 1 right of x.
-void text(cv::Mat& image, const std::string& s, double x, double y, double anchor, double scale = 0.45) {
+void text(cv::Mat& image, const std::string& s, double x, double y, double anchor,
+          double scale = 0.45) {
   int baseline = 0;
   const cv::Size size = cv::getTextSize(s, cv::FONT_HERSHEY_SIMPLEX, scale, 1, &baseline);
   cv::putText(image, s, cv::Point(static_cast<int>(x - anchor * size.width), static_cast<int>(y)),
@@ -40,7 +47,8 @@ class Panel {
  public:
   Panel(cv::Mat canvas, const ChartPanel& p) : canvas_(canvas), p_(p) {
     x_ = axis([](const ChartSeries& s) -> const std::vector<double>& { return s.x; }, false, false);
-    y_ = axis([](const ChartSeries& s) -> const std::vector<double>& { return s.y; }, p.log_y, p.from_zero);
+    y_ = axis([](const ChartSeries& s) -> const std::vector<double>& { return s.y; }, p.log_y,
+              p.from_zero);
   }
 
   void draw() {
@@ -84,13 +92,15 @@ class Panel {
     text(label, p_.y_label, 0.5 * label.cols, 16, 0.5);
     cv::rotate(label, turned, cv::ROTATE_90_COUNTERCLOCKWISE);
     const int top = std::max(0, (kTop + bottom()) / 2 - turned.rows / 2);
-    turned.rowRange(0, std::min(turned.rows, canvas_.rows - top)).copyTo(canvas_(cv::Rect(4, top, turned.cols, std::min(turned.rows, canvas_.rows - top))));
+    turned.rowRange(0, std::min(turned.rows, canvas_.rows - top))
+        .copyTo(canvas_(cv::Rect(4, top, turned.cols, std::min(turned.rows, canvas_.rows - top))));
   }
 
   void drawLine(cv::Point2d a, cv::Point2d b, const cv::Scalar& color) {
     const double one = 1 << kSubpixel;
     cv::line(canvas_, cv::Point(static_cast<int>(a.x * one), static_cast<int>(a.y * one)),
-             cv::Point(static_cast<int>(b.x * one), static_cast<int>(b.y * one)), color, 2, cv::LINE_AA, kSubpixel);
+             cv::Point(static_cast<int>(b.x * one), static_cast<int>(b.y * one)), color, 2,
+             cv::LINE_AA, kSubpixel);
   }
 
   /// Draws a to b with the dash pattern running on over the whole series.
@@ -126,9 +136,11 @@ class Panel {
     double widest = 0;
     for (const ChartSeries& s : p_.series) {
       int baseline = 0;
-      widest = std::max<double>(widest, cv::getTextSize(s.name, cv::FONT_HERSHEY_SIMPLEX, 0.45, 1, &baseline).width);
+      widest = std::max<double>(
+          widest, cv::getTextSize(s.name, cv::FONT_HERSHEY_SIMPLEX, 0.45, 1, &baseline).width);
     }
-    const int width = static_cast<int>(widest) + 62, height = 20 * static_cast<int>(p_.series.size()) + 10;
+    const int width = static_cast<int>(widest) + 62,
+              height = 20 * static_cast<int>(p_.series.size()) + 10;
     const cv::Point corner = emptiestCorner(width, height);
     const int x = corner.x, y = corner.y;
     cv::rectangle(canvas_, cv::Rect(x, y, width, height), cv::Scalar::all(255), cv::FILLED);
@@ -143,10 +155,12 @@ class Panel {
 
   /// Top left of a legend where it covers the fewest points.
   cv::Point emptiestCorner(int width, int height) const {
-    const int left = kLeft + 8, high = kTop + 8, far = right() - width - 8, low = bottom() - height - 8;
+    const int left = kLeft + 8, high = kTop + 8, far = right() - width - 8,
+              low = bottom() - height - 8;
     cv::Point best;
     int fewest = std::numeric_limits<int>::max();
-    for (const cv::Point corner : {cv::Point(far, high), cv::Point(left, high), cv::Point(far, low), cv::Point(left, low)}) {
+    for (const cv::Point corner :
+         {cv::Point(far, high), cv::Point(left, high), cv::Point(far, low), cv::Point(left, low)}) {
       const cv::Rect2d box(corner.x - 6, corner.y - 6, width + 12, height + 12);
       int covered = 0;
       for (const ChartSeries& s : p_.series) {
@@ -176,7 +190,9 @@ cv::Mat drawCharts(const std::vector<ChartPanel>& panels, int columns, int width
   const int rows = std::max(1, (count + columns - 1) / columns);
   cv::Mat image(rows * height, columns * width, CV_8UC3, cv::Scalar::all(255));
   for (int i = 0; i < count; ++i)
-    Panel(image(cv::Rect(i % columns * width, i / columns * height, width, height)), panels[static_cast<std::size_t>(i)]).draw();
+    Panel(image(cv::Rect(i % columns * width, i / columns * height, width, height)),
+          panels[static_cast<std::size_t>(i)])
+        .draw();
   return image;
 }
 

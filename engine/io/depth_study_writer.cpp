@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Every figure of a row with its name, in the order of the columns; f takes optional<double> or int.
+/// Every figure of a row with its name, in the order of the columns; f takes optional<double> or
+/// int.
 template <typename F>
 void visitRow(const DepthStudyRow& r, F&& f) {
   const auto some = [](double v) { return std::optional<double>(v); };
@@ -56,11 +57,14 @@ std::string csvOf(const DepthStudyResult& result) {
 }
 
 Json jsonOf(const DepthStudyResult& result) {
-  Json root = {{"sequence", result.sequence}, {"poses", result.poses_from}, {"frames", result.frames},
-               {"keyframes", result.keyframes}, {"edge_seeds", result.edge_seeds}, {"rules", Json::array()}};
+  Json root = {{"sequence", result.sequence},     {"poses", result.poses_from},
+               {"frames", result.frames},         {"keyframes", result.keyframes},
+               {"edge_seeds", result.edge_seeds}, {"rules", Json::array()}};
   for (const DepthStudyRow& r : result.rows) {
     Json row = {{"rule", r.rule}};
-    visitRow(r, [&](const std::string& name, const std::optional<double>& v) { row[name] = v ? Json(*v) : Json(nullptr); });
+    visitRow(r, [&](const std::string& name, const std::optional<double>& v) {
+      row[name] = v ? Json(*v) : Json(nullptr);
+    });
     Json sweep = Json::array();
     for (std::size_t i = 0; i < r.sweep.size(); i += std::max<std::size_t>(1, r.sweep.size() / 100))
       sweep.push_back({r.sweep[i].gate, r.sweep[i].recall, r.sweep[i].wrong});
@@ -72,8 +76,10 @@ Json jsonOf(const DepthStudyResult& result) {
 }
 
 template <typename Fill>
-ChartPanel panelOf(const DepthStudyResult& result, const char* title, const char* x, const char* y, const Fill& fill) {
-  constexpr ChartColor kColors[] = {ChartColor::blue, ChartColor::orange, ChartColor::green, ChartColor::vermillion};
+ChartPanel panelOf(const DepthStudyResult& result, const char* title, const char* x, const char* y,
+                   const Fill& fill) {
+  constexpr ChartColor kColors[] = {ChartColor::blue, ChartColor::orange, ChartColor::green,
+                                    ChartColor::vermillion};
   constexpr int kDashes[] = {0, 5, 12, 0};
   ChartPanel panel{title, x, y, {}, false, true};
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
@@ -97,28 +103,35 @@ void distribution(const std::vector<double>& values, double most, double total, 
 }
 
 cv::Mat figureOf(const DepthStudyResult& result) {
-  const ChartPanel sweep = panelOf(result, "What a gate on the inlier ratio lets through", "Recall (right and accepted / all seeds)",
-                                   "Wrong among accepted (fraction)", [](const DepthStudyRow& r, ChartSeries& s) {
-                                     for (const GatePoint& p : r.sweep) {
-                                       if (p.recall < 0.02) continue;  // a handful of seeds: noise
-                                       s.x.push_back(p.recall);
-                                       s.y.push_back(p.wrong);
-                                     }
-                                   });
-  const ChartPanel age = panelOf(result, "Converged seeds", "Frames since the keyframe", "Fraction of all seeds",
-                                 [](const DepthStudyRow& r, ChartSeries& s) {
-                                   for (std::size_t i = 0; i < r.converged_by_age.size(); ++i) {
-                                     s.x.push_back(static_cast<double>(i));
-                                     s.y.push_back(r.converged_by_age[i]);
-                                   }
-                                 });
-  const ChartPanel error = panelOf(result, "Relative depth error of accepted seeds", "Error / depth (%)", "Fraction of all seeds below",
-                                   [](const DepthStudyRow& r, ChartSeries& s) {
-                                     distribution(r.errors, 0.1, r.seeds, s);
-                                     for (double& x : s.x) x *= 100;
-                                   });
-  ChartPanel nees = panelOf(result, "Calibration of accepted seeds", "|Error| / sigma", "Fraction of accepted below",
-                            [](const DepthStudyRow& r, ChartSeries& s) { distribution(r.normalised_errors, 6, r.accepted, s); });
+  const ChartPanel sweep =
+      panelOf(result, "What a gate on the inlier ratio lets through",
+              "Recall (right and accepted / all seeds)", "Wrong among accepted (fraction)",
+              [](const DepthStudyRow& r, ChartSeries& s) {
+                for (const GatePoint& p : r.sweep) {
+                  if (p.recall < 0.02) continue;  // a handful of seeds: noise
+                  s.x.push_back(p.recall);
+                  s.y.push_back(p.wrong);
+                }
+              });
+  const ChartPanel age =
+      panelOf(result, "Converged seeds", "Frames since the keyframe", "Fraction of all seeds",
+              [](const DepthStudyRow& r, ChartSeries& s) {
+                for (std::size_t i = 0; i < r.converged_by_age.size(); ++i) {
+                  s.x.push_back(static_cast<double>(i));
+                  s.y.push_back(r.converged_by_age[i]);
+                }
+              });
+  const ChartPanel error =
+      panelOf(result, "Relative depth error of accepted seeds", "Error / depth (%)",
+              "Fraction of all seeds below", [](const DepthStudyRow& r, ChartSeries& s) {
+                distribution(r.errors, 0.1, r.seeds, s);
+                for (double& x : s.x) x *= 100;
+              });
+  ChartPanel nees =
+      panelOf(result, "Calibration of accepted seeds", "|Error| / sigma",
+              "Fraction of accepted below", [](const DepthStudyRow& r, ChartSeries& s) {
+                distribution(r.normalised_errors, 6, r.accepted, s);
+              });
   ChartSeries ideal{"Calibrated", ChartColor::grey, 3, {}, {}};
   for (double x = 0; x <= 6; x += 0.05) {
     ideal.x.push_back(x);
@@ -139,16 +152,24 @@ Status writeDepthStudy(const std::filesystem::path& folder, const DepthStudyResu
 }
 
 std::string depthStudyText(const DepthStudyResult& result) {
-  const auto show = [](const std::optional<double>& v, int digits) { return v ? fmt::format("{:.{}f}", *v, digits) : std::string("-"); };
-  std::string text = fmt::format("depth study with poses from {}: {} keyframes, {} seeds ({} at depth edges left out)\n",
-                                 result.poses_from, result.keyframes, result.rows.empty() ? 0 : result.rows[0].seeds, result.edge_seeds);
-  text += fmt::format("{:<15} {:>8} {:>9} {:>8} {:>8} {:>8} {:>10} {:>9} {:>9} {:>8}\n", "rule", "updates", "converged", "accepted",
-                      "recall", "wrong", "error p50", "w @ 0.6", "w @ 0.4", "nees p50");
+  const auto show = [](const std::optional<double>& v, int digits) {
+    return v ? fmt::format("{:.{}f}", *v, digits) : std::string("-");
+  };
+  std::string text = fmt::format(
+      "depth study with poses from {}: {} keyframes, {} seeds ({} at depth edges left out)\n",
+      result.poses_from, result.keyframes, result.rows.empty() ? 0 : result.rows[0].seeds,
+      result.edge_seeds);
+  text += fmt::format("{:<15} {:>8} {:>9} {:>8} {:>8} {:>8} {:>10} {:>9} {:>9} {:>8}\n", "rule",
+                      "updates", "converged", "accepted", "recall", "wrong", "error p50", "w @ 0.6",
+                      "w @ 0.4", "nees p50");
   for (const DepthStudyRow& r : result.rows) {
-    const std::optional<double> wrong = r.accepted > 0 ? std::optional<double>(static_cast<double>(r.accepted_wrong) / r.accepted) : std::nullopt;
-    text += fmt::format("{:<15} {:>8} {:>9} {:>8} {:>8.3f} {:>8} {:>10} {:>9} {:>9} {:>8}\n", r.rule, show(r.median_updates, 0), r.converged,
-                        r.accepted, r.recall, show(wrong, 3), show(r.error_quantiles[2], 4), show(r.wrong_at_60, 3), show(r.wrong_at_40, 3),
-                        show(r.median_nees, 2));
+    const std::optional<double> wrong =
+        r.accepted > 0 ? std::optional<double>(static_cast<double>(r.accepted_wrong) / r.accepted)
+                       : std::nullopt;
+    text += fmt::format("{:<15} {:>8} {:>9} {:>8} {:>8.3f} {:>8} {:>10} {:>9} {:>9} {:>8}\n",
+                        r.rule, show(r.median_updates, 0), r.converged, r.accepted, r.recall,
+                        show(wrong, 3), show(r.error_quantiles[2], 4), show(r.wrong_at_60, 3),
+                        show(r.wrong_at_40, 3), show(r.median_nees, 2));
   }
   return text;
 }

@@ -181,9 +181,10 @@ std::string metricsText(const RunMetrics& metrics) {
   text += fmt::format("keyframes   {}, losses {}, relocalisations {}\n", metrics.keyframes,
                       metrics.losses, metrics.relocalisations);
   if (metrics.maps > 1) {
-    text += fmt::format("maps        {}: the trajectory is that of the map with most poses, the others are in "
-                        "trajectory-mapN.txt\n",
-                        metrics.maps);
+    text += fmt::format(
+        "maps        {}: the trajectory is that of the map with most poses, the others are in "
+        "trajectory-mapN.txt\n",
+        metrics.maps);
   }
   text += fmt::format("map         {} points, {} segments\n", metrics.points, metrics.segments);
   text += evaluationText(metrics);

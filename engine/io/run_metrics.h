@@ -33,7 +33,7 @@ struct RunMetrics {
   std::optional<double> init_time_s;  ///< sequence time from the first frame to init_frame
   int keyframes = 0;
   int losses = 0;
-  int relocalisations = 0;        ///< losses that were mended
+  int relocalisations = 0;                      ///< losses that were mended
   std::optional<double> relocalisation_time_s;  ///< mean sequence time from loss to recovery
   std::optional<EvalResult> evaluation;
   std::string evaluation_note;  ///< why there is none

@@ -50,13 +50,15 @@ Status RunWriter::begin(const std::filesystem::path& folder, const RunInfo& info
   Status status = makeFolder(folder);
   if (!status.ok()) return status;
   // A run that is killed must not leave the results of the one before beside its own.
-  for (const char* name : {"keyframes.txt", "map.ply", "metrics.json", "run.svoscope", "run.svoscope-wal", "run.svoscope-shm"}) {
+  for (const char* name : {"keyframes.txt", "map.ply", "metrics.json", "run.svoscope",
+                           "run.svoscope-wal", "run.svoscope-shm"}) {
     std::error_code ec;
     std::filesystem::remove(folder / name, ec);
   }
   std::error_code ec;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
-    if (entry.path().filename().string().rfind("trajectory-map", 0) == 0) std::filesystem::remove(entry.path(), ec);
+    if (entry.path().filename().string().rfind("trajectory-map", 0) == 0)
+      std::filesystem::remove(entry.path(), ec);
   }
   status = beginTrajectory();
   if (status.ok()) status = frames_file_.open(folder / "frames.csv");
@@ -70,7 +72,8 @@ Status RunWriter::frame(const FrameRecord& record) {
   records_.push_back(record);
   if (record.pose_good) {
     Status status = record.map_id == map_id_ ? Status(Done{}) : beginMap(record.map_id);
-    if (status.ok()) status = trajectory_file_.write(tumLine({record.timestamp, record.T_world_cam}));
+    if (status.ok())
+      status = trajectory_file_.write(tumLine({record.timestamp, record.T_world_cam}));
     if (!status.ok()) return status;
   }
   return frames_file_.write(framesCsvRow(record));

@@ -23,16 +23,16 @@ class RunWriter {
                const std::string& config_yaml);
 
   /// Appends a frame to frames.csv and, if its pose is good, to trajectory.txt; both are on disk
-  /// when this returns. With the first pose of another map trajectory.txt begins anew, and what it held
-  /// is moved to trajectory-mapN.txt.
+  /// when this returns. With the first pose of another map trajectory.txt begins anew, and what it
+  /// held is moved to trajectory-mapN.txt.
   Status frame(const FrameRecord& record);
 
   /// Notes the seeds that converged in this snapshot; statistics only, snapshots may be left out.
   void observe(const Snapshot& snapshot);
 
-  /// Writes keyframes.txt, map.ply and metrics.json from the last snapshot (null: empty map), and puts the
-  /// poses of the map with most of them into trajectory.txt.
-  /// `frames` is the number of frames that went through the engine.
+  /// Writes keyframes.txt, map.ply and metrics.json from the last snapshot (null: empty map), and
+  /// puts the poses of the map with most of them into trajectory.txt. `frames` is the number of
+  /// frames that went through the engine.
   Result<RunMetrics> finish(SnapshotPtr last, int frames, const EvalOptions& evaluation = {});
 
   const std::filesystem::path& folder() const { return folder_; }

@@ -46,8 +46,8 @@ Status renameFile(const fs::path& from, const fs::path& to) {
   std::error_code ec;
   fs::rename(from, to, ec);
   if (!ec) return Done{};
-  return outputError("cannot be renamed to " + to.filename().string() + ": " + ec.message(), from.string(),
-                     "choose a folder with write permission and free space");
+  return outputError("cannot be renamed to " + to.filename().string() + ": " + ec.message(),
+                     from.string(), "choose a folder with write permission and free space");
 }
 
 Status makeFolder(const fs::path& folder) {

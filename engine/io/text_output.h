@@ -25,8 +25,8 @@ class LineFile {
  public:
   /// Creates or empties the file; another that was open is closed. Output error naming it.
   Status open(const std::filesystem::path& file);
-  /// Appends `line` and a line end. Output error, for example when the disk is full; the file then ends
-  /// with the line before.
+  /// Appends `line` and a line end. Output error, for example when the disk is full; the file then
+  /// ends with the line before.
   Status write(const std::string& line);
 
  private:

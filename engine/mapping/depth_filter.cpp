@@ -8,7 +8,7 @@ namespace svoscope {
 
 namespace {
 constexpr double kSqrtTwoPi = 2.5066282746310002;
-constexpr double kMinAffinity = 1e-6;   // keeps C1 and tau_h defined at the limit log 2
+constexpr double kMinAffinity = 1e-6;  // keeps C1 and tau_h defined at the limit log 2
 
 bool valid(const Belief& q) {
   return std::isfinite(q.mu) && std::isfinite(q.sigma2) && q.sigma2 > 0 && std::isfinite(q.a) &&
@@ -22,7 +22,8 @@ Belief momentMatch(const Belief& q, const Measurement& m, double weight) {
   const double mean = s2 * (q.mu / q.sigma2 + m.x / m.tau2);
   const double variance = q.sigma2 + m.tau2;
   const double offset = m.x - q.mu;
-  const double density = std::exp(-0.5 * offset * offset / variance) / (kSqrtTwoPi * std::sqrt(variance));
+  const double density =
+      std::exp(-0.5 * offset * offset / variance) / (kSqrtTwoPi * std::sqrt(variance));
   const double ab = q.a + q.b;
   double c1 = weight * q.a / ab * density;
   double c2 = q.b / ab / m.range;
@@ -42,13 +43,14 @@ Belief momentMatch(const Belief& q, const Measurement& m, double weight) {
   return valid(next) ? next : q;
 }
 
-Belief updateJs(const Belief& q, const Measurement& m, const JsSwitches& switches, const Agreement& agreement) {
+Belief updateJs(const Belief& q, const Measurement& m, const JsSwitches& switches,
+                const Agreement& agreement) {
   const double w = std::clamp(agreement.affinity, kMinAffinity, 1.0);
   Measurement fused = m;
   if (switches.fuse_variance) {
     const double offset = q.mu - m.x;
     const double mixture = 0.5 * (q.sigma2 + m.tau2) + 0.25 * offset * offset;  // Var((p + q) / 2)
-    fused.tau2 = 1.0 / (1.0 / m.tau2 + w / mixture);                            // (22), tau_h^2 = Var / w
+    fused.tau2 = 1.0 / (1.0 / m.tau2 + w / mixture);  // (22), tau_h^2 = Var / w
   }
   return momentMatch(q, fused, switches.weight_responsibility ? w : 1.0);
 }

@@ -15,7 +15,7 @@ enum class FilterRule : std::uint8_t { kl, js };
 /// Belief of a seed. Inverse distance in 1/map unit.
 struct Belief {
   double mu = 1;
-  double sigma2 = 1;   ///< variance, (1/map unit)^2
+  double sigma2 = 1;  ///< variance, (1/map unit)^2
   double a = 10, b = 10;
 
   double inlierRatio() const { return a / (a + b); }
@@ -39,10 +39,13 @@ struct JsSwitches {
 };
 
 /// The rule of SVO and PL-SVO.
-inline Belief updateKl(const Belief& belief, const Measurement& m) { return momentMatch(belief, m, 1.0); }
+inline Belief updateKl(const Belief& belief, const Measurement& m) {
+  return momentMatch(belief, m, 1.0);
+}
 
 /// The rule of IT-SVO. The paper leaves tau_h^2 of (22), "the variance introduced by the JS
-/// divergence", open; our reading: tau_h^2 = Var(m) / w with the mixture m of belief and measurement.
+/// divergence", open; our reading: tau_h^2 = Var(m) / w with the mixture m of belief and
+/// measurement.
 Belief updateJs(const Belief& belief, const Measurement& m, const JsSwitches& switches = {});
 /// The same with an agreement of belief and measurement known already.
 Belief updateJs(const Belief& belief, const Measurement& m, const JsSwitches& switches,

@@ -11,9 +11,9 @@ namespace svoscope {
 namespace {
 
 constexpr double kLogSqrtTwoPi = 0.91893853320467274178;
-constexpr double kReach = 8;           // standard deviations on either side
-constexpr int kGridPoints = 321;       // of jsdNumeric, per Gaussian
-constexpr int kPerUnit = 8;            // nodes of the table per unit of offset and of log ratio
+constexpr double kReach = 8;      // standard deviations on either side
+constexpr int kGridPoints = 321;  // of jsdNumeric, per Gaussian
+constexpr int kPerUnit = 8;       // nodes of the table per unit of offset and of log ratio
 constexpr int kOffsetNodes = static_cast<int>(JsdTable::kMostOffset) * kPerUnit + 1;
 constexpr int kRatioNodes = static_cast<int>(JsdTable::kMostLogRatio) * kPerUnit + 1;
 constexpr int kColumns = kOffsetNodes + 3, kRows = kRatioNodes + 3;
@@ -43,8 +43,10 @@ double overlapDensity(const Gaussian& p, const Gaussian& q, double x) {
 
 /// log 2 - J by Gauss-Legendre quadrature on panels of at most one standard deviation of either.
 double overlap(const Gaussian& p, const Gaussian& q) {
-  constexpr std::array<double, 3> kNode = {0.238619186083196909, 0.661209386466264514, 0.932469514203152028};
-  constexpr std::array<double, 3> kWeight = {0.467913934572691047, 0.360761573048138608, 0.171324492379170345};
+  constexpr std::array<double, 3> kNode = {0.238619186083196909, 0.661209386466264514,
+                                           0.932469514203152028};
+  constexpr std::array<double, 3> kWeight = {0.467913934572691047, 0.360761573048138608,
+                                             0.171324492379170345};
   std::vector<double> ends;
   for (const Gaussian& g : {p, q}) {
     for (int i = -8; i <= 8; ++i) ends.push_back(g.mean + g.sigma * i);
@@ -56,7 +58,8 @@ double overlap(const Gaussian& p, const Gaussian& q) {
     if (half <= 0) continue;
     for (std::size_t k = 0; k < kNode.size(); ++k) {
       const double x = half * kNode[k];
-      sum += half * kWeight[k] * (overlapDensity(p, q, middle - x) + overlapDensity(p, q, middle + x));
+      sum +=
+          half * kWeight[k] * (overlapDensity(p, q, middle - x) + overlapDensity(p, q, middle + x));
     }
   }
   return sum;
@@ -89,7 +92,8 @@ double jsdNumeric(double mean1, double v1, double mean2, double v2) {
   double sum = 0, last = 0;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const double lp = p.log(grid[i]), lq = q.log(grid[i]);
-    const double y = 0.5 * (std::exp(lp) * (kLog2 - softplus(lq - lp)) + std::exp(lq) * (kLog2 - softplus(lp - lq)));
+    const double y = 0.5 * (std::exp(lp) * (kLog2 - softplus(lq - lp)) +
+                            std::exp(lq) * (kLog2 - softplus(lp - lq)));
     if (i > 0) sum += 0.5 * (y + last) * (grid[i] - grid[i - 1]);
     last = y;
   }

@@ -13,15 +13,15 @@ constexpr double kLog2 = 0.69314718055994530942;
 /// positive or a value not finite.
 double klGaussian(double mean1, double variance1, double mean2, double variance2);
 
-/// Jensen-Shannon divergence (11)-(13) by the trapezoidal rule on the union of both Gaussians' grids;
-/// Gauss-Hermite nodes would miss a narrow peak. The slow reference. In [0, log 2]; log 2 where a
-/// variance is not positive or a value not finite.
+/// Jensen-Shannon divergence (11)-(13) by the trapezoidal rule on the union of both Gaussians'
+/// grids; Gauss-Hermite nodes would miss a narrow peak. The slow reference. In [0, log 2]; log 2
+/// where a variance is not positive or a value not finite.
 double jsdNumeric(double mean1, double variance1, double mean2, double variance2);
 
 /// How well two Gaussians agree.
 struct Agreement {
-  double jsd = kLog2;    ///< J, 0 .. log 2
-  double affinity = 0;   ///< w = (log 2 - J) / (log 2 - J0), J0: same spreads without offset
+  double jsd = kLog2;   ///< J, 0 .. log 2
+  double affinity = 0;  ///< w = (log 2 - J) / (log 2 - J0), J0: same spreads without offset
 };
 
 /// From a table: within 1e-4 nats of jsdNumeric, symmetric in the two Gaussians. Safe to call from
@@ -31,8 +31,9 @@ Agreement agreement(double mean1, double variance1, double mean2, double varianc
 Agreement agreementNumeric(double mean1, double variance1, double mean2, double variance2);
 
 /// The table behind agreement(). The divergence of two Gaussians depends on two numbers only,
-/// d = |mean1 - mean2| / sqrt(variance1 + variance2) and r = log(sigma1 / sigma2), and is even in both.
-/// Kept is log(log 2 - J): smooth down to the limit, so that w keeps its relative accuracy there.
+/// d = |mean1 - mean2| / sqrt(variance1 + variance2) and r = log(sigma1 / sigma2), and is even in
+/// both. Kept is log(log 2 - J): smooth down to the limit, so that w keeps its relative accuracy
+/// there.
 class JsdTable {
  public:
   static const JsdTable& instance();

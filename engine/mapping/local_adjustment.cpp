@@ -16,7 +16,7 @@ namespace svoscope {
 
 namespace {
 
-using PoseBlock = std::array<double, 6>;   // rotation vector, translation of T_cam_world
+using PoseBlock = std::array<double, 6>;  // rotation vector, translation of T_cam_world
 using PointBlock = std::array<double, 3>;
 
 template <typename T>
@@ -56,14 +56,15 @@ struct DirectedError {
   bool operator()(const T* pose, const T* point, T* e) const {
     T projected[2];
     if (!projectPoint(camera, pose, point, projected)) return false;
-    e[0] = T(weight) *
-           (T(direction.x()) * (projected[0] - T(px.x())) + T(direction.y()) * (projected[1] - T(px.y())));
+    e[0] = T(weight) * (T(direction.x()) * (projected[0] - T(px.x())) +
+                        T(direction.y()) * (projected[1] - T(px.y())));
     return true;
   }
 };
 
-/// Error of the inverse distance along a bearing, in sigmas. `scale` is common to all of them: what they
-/// say of the scale of the map is no news, as they were measured in it, and it has their errors.
+/// Error of the inverse distance along a bearing, in sigmas. `scale` is common to all of them: what
+/// they say of the scale of the map is no news, as they were measured in it, and it has their
+/// errors.
 struct InverseDistanceError {
   Vec3 f;
   double inv_distance, sigma;
@@ -71,7 +72,8 @@ struct InverseDistanceError {
   bool operator()(const T* pose, const T* point, const T* scale, T* e) const {
     T p[3];
     ceres::AngleAxisRotatePoint(pose, point, p);
-    const T distance = T(f.x()) * (p[0] + pose[3]) + T(f.y()) * (p[1] + pose[4]) + T(f.z()) * (p[2] + pose[5]);
+    const T distance =
+        T(f.x()) * (p[0] + pose[3]) + T(f.y()) * (p[1] + pose[4]) + T(f.z()) * (p[2] + pose[5]);
     if (distance < T(1e-4)) return false;
     e[0] = (scale[0] / distance - T(inv_distance)) / T(sigma);
     return true;
@@ -92,8 +94,10 @@ class Adjustment {
   Adjustment(const AdjustmentProblem& problem, const LocalAdjustmentParameters& p)
       : problem_(problem), p_(p), robust_(p.robust_px) {
     for (const AdjustmentKeyframe& k : problem.keyframes) poses_.push_back(toBlock(k.T_cam_world));
-    for (const AdjustmentPoint& x : problem.points) points_.push_back({x.p_world.x(), x.p_world.y(), x.p_world.z()});
-    for (const AdjustmentEnd& x : problem.ends) points_.push_back({x.p_world.x(), x.p_world.y(), x.p_world.z()});
+    for (const AdjustmentPoint& x : problem.points)
+      points_.push_back({x.p_world.x(), x.p_world.y(), x.p_world.z()});
+    for (const AdjustmentEnd& x : problem.ends)
+      points_.push_back({x.p_world.x(), x.p_world.y(), x.p_world.z()});
   }
 
   AdjustmentResult run() {
@@ -113,9 +117,11 @@ class Adjustment {
     options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     for (PointBlock& x : points_) options.linear_solver_ordering->AddElementToGroup(x.data(), 0);
     for (PoseBlock& x : poses_) {
-      if (ceres_problem.HasParameterBlock(x.data())) options.linear_solver_ordering->AddElementToGroup(x.data(), 1);
+      if (ceres_problem.HasParameterBlock(x.data()))
+        options.linear_solver_ordering->AddElementToGroup(x.data(), 1);
     }
-    if (!problem_.depths.empty()) options.linear_solver_ordering->AddElementToGroup(&depth_scale_, 1);
+    if (!problem_.depths.empty())
+      options.linear_solver_ordering->AddElementToGroup(&depth_scale_, 1);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &ceres_problem, &summary);
     result.ok = summary.IsSolutionUsable();
@@ -131,7 +137,9 @@ class Adjustment {
  private:
   double* pose(int keyframe) { return poses_[static_cast<std::size_t>(keyframe)].data(); }
   PointBlock& point(int index) { return points_[static_cast<std::size_t>(index)]; }
-  std::size_t endBlock(int index) const { return problem_.points.size() + static_cast<std::size_t>(index); }
+  std::size_t endBlock(int index) const {
+    return problem_.points.size() + static_cast<std::size_t>(index);
+  }
   double* end(int index) { return points_[endBlock(index)].data(); }
 
   void build(ceres::Problem& ceres_problem) {
@@ -143,14 +151,16 @@ class Adjustment {
         cost = new ceres::AutoDiffCostFunction<DirectedError, 1, 6, 3>(
             new DirectedError{camera, o.px, o.gradient_dir, weight / p_.edgelet_sigma});
       } else {
-        cost = new ceres::AutoDiffCostFunction<PixelError, 2, 6, 3>(new PixelError{camera, o.px, weight});
+        cost = new ceres::AutoDiffCostFunction<PixelError, 2, 6, 3>(
+            new PixelError{camera, o.px, weight});
       }
       ceres_problem.AddResidualBlock(cost, &robust_, pose(o.keyframe), point(o.point).data());
     }
     for (const AdjustmentLineView& v : problem_.line_views) {
       auto* cost = new ceres::AutoDiffCostFunction<DirectedError, 1, 6, 3>(
           new DirectedError{camera, v.px, v.direction, 1 / v.sigma});
-      ceres_problem.AddResidualBlock(cost, v.along ? nullptr : &robust_, pose(v.keyframe), end(v.end));
+      ceres_problem.AddResidualBlock(cost, v.along ? nullptr : &robust_, pose(v.keyframe),
+                                     end(v.end));
     }
     for (const AdjustmentDepth& d : problem_.depths) {
       auto* cost = new ceres::AutoDiffCostFunction<InverseDistanceError, 1, 6, 3, 1>(
@@ -172,14 +182,16 @@ class Adjustment {
     }
     const std::size_t points = problem_.points.size();
     for (std::size_t i = 0; i < points; ++i) result.points[i].p_world = Vec3(points_[i].data());
-    for (std::size_t i = 0; i < problem_.ends.size(); ++i) result.ends[i].p_world = Vec3(points_[points + i].data());
+    for (std::size_t i = 0; i < problem_.ends.size(); ++i)
+      result.ends[i].p_world = Vec3(points_[points + i].data());
     collectOutliers(result);
   }
 
   /// Projected minus measured; false behind the camera.
   bool errorAt(int keyframe, const PointBlock& point, const Vec2& px, Vec2& e) const {
     double projected[2];
-    if (!projectPoint(problem_.camera, poses_[static_cast<std::size_t>(keyframe)].data(), point.data(), projected))
+    if (!projectPoint(problem_.camera, poses_[static_cast<std::size_t>(keyframe)].data(),
+                      point.data(), projected))
       return false;
     e = Vec2(projected[0], projected[1]) - px;
     return true;
@@ -197,10 +209,13 @@ class Adjustment {
     for (const AdjustmentLineView& v : problem_.line_views) {
       const bool front = errorAt(v.keyframe, points_[endBlock(v.end)], v.px, e);
       if (!v.along && (!front || std::abs(v.direction.dot(e)) > p_.outlier_px * v.sigma))
-        result.segment_outliers.push_back({problem_.ends[static_cast<std::size_t>(v.end)].segment_id, keyframeId(v.keyframe)});
+        result.segment_outliers.push_back(
+            {problem_.ends[static_cast<std::size_t>(v.end)].segment_id, keyframeId(v.keyframe)});
     }
   }
-  int keyframeId(int keyframe) const { return problem_.keyframes[static_cast<std::size_t>(keyframe)].id; }
+  int keyframeId(int keyframe) const {
+    return problem_.keyframes[static_cast<std::size_t>(keyframe)].id;
+  }
 
   const AdjustmentProblem& problem_;
   const LocalAdjustmentParameters& p_;
@@ -213,7 +228,8 @@ class Adjustment {
 
 }  // namespace
 
-AdjustmentResult adjustLocally(const AdjustmentProblem& problem, const LocalAdjustmentParameters& p) {
+AdjustmentResult adjustLocally(const AdjustmentProblem& problem,
+                               const LocalAdjustmentParameters& p) {
   AdjustmentResult result;
   if (!problem.empty() && problem.points.size() >= 10) result = Adjustment(problem, p).run();
   result.newest = problem.newest;

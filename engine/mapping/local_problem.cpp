@@ -51,7 +51,8 @@ Window chooseWindow(const Map& map, const Keyframe& newest, const LocalAdjustmen
     if (!landmark || landmark->observations.size() < 2) continue;
     w.landmarks.push_back(id);
     for (const LandmarkObservation& o : landmark->observations) {
-      if (!w.free.count(o.keyframe_id) && map.keyframes.count(o.keyframe_id)) ++outside[o.keyframe_id];
+      if (!w.free.count(o.keyframe_id) && map.keyframes.count(o.keyframe_id))
+        ++outside[o.keyframe_id];
     }
   }
   std::vector<std::pair<int, int>> ranked;
@@ -71,15 +72,16 @@ Window chooseWindow(const Map& map, const Keyframe& newest, const LocalAdjustmen
 
 using Slots = std::map<int, int>;  ///< keyframe id to index
 
-void addPoints(const Map& map, const Window& window, const Slots& slot, AdjustmentProblem& problem) {
+void addPoints(const Map& map, const Window& window, const Slots& slot,
+               AdjustmentProblem& problem) {
   for (const std::int64_t id : window.landmarks) {
     const Landmark& landmark = *map.find(id);
     std::vector<AdjustmentObservation> seen;
     for (const LandmarkObservation& o : landmark.observations) {
       const auto s = slot.find(o.keyframe_id);
       if (s == slot.end()) continue;
-      seen.push_back({s->second, static_cast<int>(problem.points.size()), o.anchor.px, o.anchor.level, o.anchor.type,
-                      o.anchor.gradient_dir});
+      seen.push_back({s->second, static_cast<int>(problem.points.size()), o.anchor.px,
+                      o.anchor.level, o.anchor.type, o.anchor.gradient_dir});
     }
     if (seen.size() < 2) continue;
     problem.points.push_back({id, landmark.p_world});
@@ -89,7 +91,8 @@ void addPoints(const Map& map, const Window& window, const Slots& slot, Adjustme
 
 /// The views of one end point as errors across their lines, and one along the first of them.
 void addLineViews(const Map& map, const SegmentLandmark& segment, int end, const Slots& slot,
-                  const LocalAdjustmentParameters& adjust, const SegmentParameters& p, AdjustmentProblem& problem) {
+                  const LocalAdjustmentParameters& adjust, const SegmentParameters& p,
+                  AdjustmentProblem& problem) {
   const int index = static_cast<int>(problem.ends.size());
   bool held = false;
   for (const SegmentView& view : segment.views) {
@@ -103,19 +106,23 @@ void addLineViews(const Map& map, const SegmentLandmark& segment, int end, const
     const double sigma = p.pose_sigma * p.line_noise_px * (1 << view.anchor.level);
     problem.line_views.push_back({s->second, index, line.closest(px), line.normal,
                                   sigma * std::sqrt(lineVariance(ends[0], ends[1], px)), false});
-    if (!held) problem.line_views.push_back({s->second, index, px, Vec2(-line.normal.y(), line.normal.x()), sigma, true});
+    if (!held)
+      problem.line_views.push_back(
+          {s->second, index, px, Vec2(-line.normal.y(), line.normal.x()), sigma, true});
     held = true;
   }
   const SegmentView& first = segment.views.front();
   const auto s = slot.find(first.keyframe_id);
   if (s != slot.end() && segment.prior_sigma[end] > 0)
-    problem.depths.push_back({s->second, index, first.anchor.f[end], segment.prior[end],
-                              std::hypot(segment.prior_sigma[end], adjust.depth_floor * segment.prior[end])});
+    problem.depths.push_back(
+        {s->second, index, first.anchor.f[end], segment.prior[end],
+         std::hypot(segment.prior_sigma[end], adjust.depth_floor * segment.prior[end])});
   problem.ends.push_back({segment.id, end, segment.p_world[end]});
 }
 
-void addSegments(const Map& map, const Window& window, const Slots& slot, const LocalAdjustmentParameters& adjust,
-                 const SegmentParameters& p, AdjustmentProblem& problem) {
+void addSegments(const Map& map, const Window& window, const Slots& slot,
+                 const LocalAdjustmentParameters& adjust, const SegmentParameters& p,
+                 AdjustmentProblem& problem) {
   std::set<std::int64_t> ids;
   for (const int id : window.free) {
     const auto& seen = map.keyframes.at(id).segments;

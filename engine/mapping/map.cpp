@@ -47,11 +47,13 @@ void Map::removeSegment(std::int64_t id) {
 void Map::removeSegmentView(std::int64_t id, int keyframe_id) {
   SegmentLandmark& segment = segments.at(id);
   // The prior belongs to the first view and goes with it.
-  if (segment.views.front().keyframe_id == keyframe_id) segment.prior_sigma[0] = segment.prior_sigma[1] = 0;
+  if (segment.views.front().keyframe_id == keyframe_id)
+    segment.prior_sigma[0] = segment.prior_sigma[1] = 0;
   if (Keyframe* keyframe = findKeyframe(keyframe_id)) eraseValue(keyframe->segments, id);
-  segment.views.erase(std::remove_if(segment.views.begin(), segment.views.end(),
-                                     [keyframe_id](const SegmentView& v) { return v.keyframe_id == keyframe_id; }),
-                      segment.views.end());
+  segment.views.erase(
+      std::remove_if(segment.views.begin(), segment.views.end(),
+                     [keyframe_id](const SegmentView& v) { return v.keyframe_id == keyframe_id; }),
+      segment.views.end());
   if (segment.views.size() < 2) removeSegment(id);
 }
 
@@ -61,7 +63,9 @@ void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
   if (Keyframe* keyframe = findKeyframe(keyframe_id)) eraseValue(keyframe->landmarks, landmark_id);
   auto& views = landmark->observations;
   views.erase(std::remove_if(views.begin(), views.end(),
-                             [keyframe_id](const LandmarkObservation& o) { return o.keyframe_id == keyframe_id; }),
+                             [keyframe_id](const LandmarkObservation& o) {
+                               return o.keyframe_id == keyframe_id;
+                             }),
               views.end());
   if (views.size() < 2) removeLandmark(landmark_id);
 }
@@ -105,8 +109,8 @@ int Map::seedCount() const {
   return count;
 }
 
-const LandmarkObservation* closestView(const Map& map, const Landmark& landmark, const Vec3& c_world,
-                                       double min_cosine) {
+const LandmarkObservation* closestView(const Map& map, const Landmark& landmark,
+                                       const Vec3& c_world, double min_cosine) {
   const Vec3 direction = (c_world - landmark.p_world).normalized();
   const LandmarkObservation* best = nullptr;
   double best_cosine = min_cosine;

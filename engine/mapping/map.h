@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keyframes, landmarks and seeds. Owned and changed by the tracking thread alone: the mapping thread
-// gets copies of what it needs and answers with values (mapping_job.h).
+// Keyframes, landmarks and seeds. Owned and changed by the tracking thread alone: the mapping
+// thread gets copies of what it needs and answers with values (mapping_job.h).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ namespace svoscope {
 
 /// A pixel with its patch: what a keyframe saw.
 struct FeatureAnchor {
-  Vec2 px = Vec2::Zero();            ///< level 0
-  Vec3 f = Vec3::UnitZ();            ///< unit bearing
+  Vec2 px = Vec2::Zero();  ///< level 0
+  Vec3 f = Vec3::UnitZ();  ///< unit bearing
   int level = 0;
   FeatureType type = FeatureType::corner;
   Vec2 gradient_dir = Vec2::Zero();  ///< edgelets, unit
@@ -30,17 +30,17 @@ struct FeatureAnchor {
 struct Seed {
   std::int64_t id = -1;
   int keyframe_id = -1;
-  FeatureAnchor anchor;              ///< in its keyframe
-  Belief belief;                     ///< of the rule in use: decides status and map
-  Belief shadow;                     ///< of the other rule, on the same measurements; for inspection
-  bool has_shadow = true;            ///< no measurement was kept from it
-  double range = 1;                  ///< R, 1/map unit
-  double score = 0;                  ///< of the detector
+  FeatureAnchor anchor;    ///< in its keyframe
+  Belief belief;           ///< of the rule in use: decides status and map
+  Belief shadow;           ///< of the other rule, on the same measurements; for inspection
+  bool has_shadow = true;  ///< no measurement was kept from it
+  double range = 1;        ///< R, 1/map unit
+  double score = 0;        ///< of the detector
   SeedStatus status = SeedStatus::active;
   SeedEnding ending = SeedEnding::none;
   SearchOutcome outcome = SearchOutcome::none;  ///< of the last frame
   int updates = 0, failures = 0;
-  int last_frame = -1;               ///< last frame with a successful measurement
+  int last_frame = -1;  ///< last frame with a successful measurement
   double last_x = 0, last_tau = 0;
 };
 
@@ -54,8 +54,8 @@ struct Landmark {
   Vec3 p_world = Vec3::Zero();
   FeatureType type = FeatureType::corner;
   std::vector<LandmarkObservation> observations;  ///< first: where it was detected
-  double sigma = 0;                  ///< of inverse distance in the first observation
-  int succeeded = 0, failed = 0;     ///< frames that tried it: inlier of the pose or not
+  double sigma = 0;                               ///< of inverse distance in the first observation
+  int succeeded = 0, failed = 0;  ///< frames that tried it: inlier of the pose or not
   double score = 0;
 };
 
@@ -64,14 +64,14 @@ struct Keyframe {
   double timestamp = 0;
   PyramidPtr pyramid;
   SE3 T_cam_world;
-  double median_depth = 1, min_depth = 0.5;   ///< z of its features, map units
-  double scale = 1;                           ///< product of the factors its surroundings were scaled by
-  std::vector<std::int64_t> landmarks;        ///< seen in it
+  double median_depth = 1, min_depth = 0.5;  ///< z of its features, map units
+  double scale = 1;                     ///< product of the factors its surroundings were scaled by
+  std::vector<std::int64_t> landmarks;  ///< seen in it
   std::vector<Seed> seeds;
-  std::vector<std::int64_t> segments;         ///< segment landmarks seen in it
-  std::vector<SegmentSeed> segment_seeds;     ///< in order of id
-  cv::Mat thumbnail;                          ///< small blurred float image, zero mean
-  int last_local_frame = -1;                  ///< last frame that searched its features
+  std::vector<std::int64_t> segments;      ///< segment landmarks seen in it
+  std::vector<SegmentSeed> segment_seeds;  ///< in order of id
+  cv::Mat thumbnail;                       ///< small blurred float image, zero mean
+  int last_local_frame = -1;               ///< last frame that searched its features
 };
 
 /// What is left of a keyframe that was removed from the map.
@@ -83,7 +83,7 @@ struct RetiredKeyframe {
 /// A seed that went with its keyframe.
 struct OrphanSeed {
   Seed seed;
-  SE3 T_cam_world;                   ///< of the removed keyframe
+  SE3 T_cam_world;  ///< of the removed keyframe
 };
 struct OrphanSegmentSeed {
   SegmentSeed seed;
@@ -92,13 +92,13 @@ struct OrphanSegmentSeed {
 
 struct Map {
   Pinhole camera;
-  std::vector<RetiredKeyframe> retired;       ///< by id
-  std::map<int, Keyframe> keyframes;          ///< by id: ordered, so that runs are repeatable
+  std::vector<RetiredKeyframe> retired;  ///< by id
+  std::map<int, Keyframe> keyframes;     ///< by id: ordered, so that runs are repeatable
   std::unordered_map<std::int64_t, Landmark> landmarks;
   std::map<std::int64_t, SegmentLandmark> segments;
-  std::vector<OrphanSeed> orphans;            ///< of keyframes removed during the last frame
+  std::vector<OrphanSeed> orphans;  ///< of keyframes removed during the last frame
   std::vector<OrphanSegmentSeed> segment_orphans;
-  std::int64_t next_id = 0;                   ///< of landmarks, segments and seeds of both
+  std::int64_t next_id = 0;  ///< of landmarks, segments and seeds of both
   int next_keyframe_id = 0;
 
   Landmark* find(std::int64_t id) {
@@ -130,7 +130,7 @@ struct Map {
 
 /// Observation whose viewing ray is closest to the direction from the camera centre `c_world`;
 /// null if all differ by more than `max_angle_cos` allows.
-const LandmarkObservation* closestView(const Map& map, const Landmark& landmark, const Vec3& c_world,
-                                       double min_cosine);
+const LandmarkObservation* closestView(const Map& map, const Landmark& landmark,
+                                       const Vec3& c_world, double min_cosine);
 
 }  // namespace svoscope

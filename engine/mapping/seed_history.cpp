@@ -41,8 +41,10 @@ SeedUpdateView describeUpdate(const Seed& before, const Seed& after, const SeedM
   const Belief& q = before.belief;
   const double tau2 = m.tau * m.tau;
   const Agreement a = agreement(q.mu, q.sigma2, m.x, tau2);
-  v.kl_belief_measurement = static_cast<float>(std::min(kMost, klGaussian(q.mu, q.sigma2, m.x, tau2)));
-  v.kl_measurement_belief = static_cast<float>(std::min(kMost, klGaussian(m.x, tau2, q.mu, q.sigma2)));
+  v.kl_belief_measurement =
+      static_cast<float>(std::min(kMost, klGaussian(q.mu, q.sigma2, m.x, tau2)));
+  v.kl_measurement_belief =
+      static_cast<float>(std::min(kMost, klGaussian(m.x, tau2, q.mu, q.sigma2)));
   v.jsd = static_cast<float>(a.jsd);
   v.affinity = static_cast<float>(a.affinity);
   return v;

@@ -11,9 +11,9 @@ namespace svoscope {
 
 namespace {
 
-EpipolarMatch measure(const FeatureAnchor& anchor, double mu, double sigma, const JobKeyframe& owner,
-                      const PyramidPtr& pyramid, const SE3& T_cam_world, const Pinhole& camera,
-                      const MappingParameters& p) {
+EpipolarMatch measure(const FeatureAnchor& anchor, double mu, double sigma,
+                      const JobKeyframe& owner, const PyramidPtr& pyramid, const SE3& T_cam_world,
+                      const Pinhole& camera, const MappingParameters& p) {
   EpipolarQuery q;
   q.ref = owner.pyramid.get();
   q.cur = pyramid.get();
@@ -32,16 +32,18 @@ EpipolarMatch measure(const FeatureAnchor& anchor, double mu, double sigma, cons
 SeedMeasurement toMeasurement(const EpipolarMatch& match, std::int64_t seed_id, int keyframe_id,
                               int frame_index) {
   // Without a scan the search reports no score.
-  return {seed_id, keyframe_id, frame_index, match.outcome, match.inv_distance, match.tau, match.px, match.score};
+  return {seed_id,   keyframe_id, frame_index, match.outcome, match.inv_distance,
+          match.tau, match.px,    match.score};
 }
 
 /// New seeds are measured at once against older views: forward motion needs it.
-void measureAgainstOlder(const MappingJob& job, const MappingParameters& p, Seed seed, NewSeed& out) {
+void measureAgainstOlder(const MappingJob& job, const MappingParameters& p, Seed seed,
+                         NewSeed& out) {
   const JobKeyframe self{job.new_seeds.keyframe_id, job.pyramid, job.T_cam_world, job.frame_index};
   seed.has_shadow = false;  // only the rule in use leads the searches
   for (const JobKeyframe& view : job.older_views) {
-    const EpipolarMatch match = measure(seed.anchor, seed.belief.mu, std::sqrt(seed.belief.sigma2), self,
-                                        view.pyramid, view.T_cam_world, job.camera, p);
+    const EpipolarMatch match = measure(seed.anchor, seed.belief.mu, std::sqrt(seed.belief.sigma2),
+                                        self, view.pyramid, view.T_cam_world, job.camera, p);
     // That an old view does not show the feature says nothing against it.
     if (match.outcome != SearchOutcome::matched) continue;
     const SeedMeasurement m = toMeasurement(match, -1, self.id, view.frame_index);
@@ -55,7 +57,8 @@ void measureAgainstOlder(const MappingJob& job, const MappingParameters& p, Seed
 Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double median_depth,
               double min_depth, const DepthFilterParameters& p) {
   Seed seed;
-  seed.anchor = {feature.px, camera.bearing(feature.px), feature.level, feature.type, feature.gradient_dir};
+  seed.anchor = {feature.px, camera.bearing(feature.px), feature.level, feature.type,
+                 feature.gradient_dir};
   seed.score = feature.score;
   seed.range = 1.0 / (0.5 * min_depth);
   seed.belief.mu = 1.0 / median_depth;
@@ -124,7 +127,8 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& para
   result.median_depth = job.new_seeds.median_depth;
   result.min_depth = job.new_seeds.min_depth;
   for (const JobKeyframe& k : job.keyframes) result.scales.push_back({k.id, k.scale});
-  if (job.new_seeds.wanted) result.scales.push_back({job.new_seeds.keyframe_id, job.new_seeds.scale});
+  if (job.new_seeds.wanted)
+    result.scales.push_back({job.new_seeds.keyframe_id, job.new_seeds.scale});
   result.measurements.reserve(job.seeds.size());
   for (const JobSeed& seed : job.seeds) {
     const JobKeyframe& owner = job.keyframes[seed.keyframe_slot];
@@ -133,10 +137,12 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& para
     result.measurements.push_back(toMeasurement(match, seed.id, owner.id, job.frame_index));
   }
   if (job.new_seeds.wanted) {
-    for (const DetectedFeature& f : detectFeatures(*job.pyramid, p.detector, job.new_seeds.occupied)) {
+    for (const DetectedFeature& f :
+         detectFeatures(*job.pyramid, p.detector, job.new_seeds.occupied)) {
       if (static_cast<int>(result.new_seeds.size()) >= p.filter.max_seeds_per_keyframe) break;
       NewSeed fresh{f, {}};
-      measureAgainstOlder(job, p, makeSeed(f, job.camera, result.median_depth, result.min_depth, p.filter), fresh);
+      measureAgainstOlder(
+          job, p, makeSeed(f, job.camera, result.median_depth, result.min_depth, p.filter), fresh);
       result.new_seeds.push_back(std::move(fresh));
     }
   }

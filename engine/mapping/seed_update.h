@@ -14,15 +14,15 @@
 namespace svoscope {
 
 struct DepthFilterParameters {
-  double initial_sigma_fraction = 1.0 / 6;   ///< sigma = R * this
-  double initial_ab = 10;                    ///< Beta parameters a = b at the start
-  double converged_fraction = 1.0 / 200;     ///< converged when sigma < R * this ...
-  double min_inlier_ratio = 0.5;             ///< ... and a / (a + b) above this
-  double reject_inlier_ratio = 0.08;         ///< rejected below
+  double initial_sigma_fraction = 1.0 / 6;  ///< sigma = R * this
+  double initial_ab = 10;                   ///< Beta parameters a = b at the start
+  double converged_fraction = 1.0 / 200;    ///< converged when sigma < R * this ...
+  double min_inlier_ratio = 0.5;            ///< ... and a / (a + b) above this
+  double reject_inlier_ratio = 0.08;        ///< rejected below
   int max_seeds_per_keyframe = 400;
-  FilterRule rule = FilterRule::kl;          ///< decided by the method
+  FilterRule rule = FilterRule::kl;  ///< decided by the method
   JsSwitches js;
-  bool shadow = true;                        ///< update the other rule too, where it can be seen
+  bool shadow = true;  ///< update the other rule too, where it can be seen
 };
 
 /// Values the mapping thread needs of one keyframe.
@@ -31,7 +31,7 @@ struct JobKeyframe {
   PyramidPtr pyramid;
   SE3 T_cam_world;
   int frame_index = -1;
-  double scale = 1;          ///< Keyframe::scale when the job was made
+  double scale = 1;  ///< Keyframe::scale when the job was made
 };
 
 /// The scale in which the measurements of a keyframe's seeds are given.
@@ -42,7 +42,7 @@ struct JobScale {
 
 struct JobSeed {
   std::int64_t id = -1;
-  int keyframe_slot = 0;     ///< index into MappingJob::keyframes
+  int keyframe_slot = 0;  ///< index into MappingJob::keyframes
   FeatureAnchor anchor;
   double mu = 1, sigma = 1;  ///< inverse distance
 };
@@ -53,7 +53,7 @@ struct NewSeedRequest {
   int keyframe_id = -1;
   OccupancyGrid occupied;
   double median_depth = 1, min_depth = 0.5;
-  double scale = 1;          ///< Keyframe::scale when the job was made
+  double scale = 1;  ///< Keyframe::scale when the job was made
 };
 
 struct MappingJob {
@@ -61,24 +61,24 @@ struct MappingJob {
   PyramidPtr pyramid;
   SE3 T_cam_world;
   Pinhole camera;
-  double noise_px = 0;            ///< of the frame's features; a match is at least that uncertain
+  double noise_px = 0;  ///< of the frame's features; a match is at least that uncertain
   std::vector<JobKeyframe> keyframes;
   std::vector<JobSeed> seeds;
   NewSeedRequest new_seeds;
   SegmentJob segments;
   /// Older views that new seeds are measured against at once.
   std::vector<JobKeyframe> older_views;
-  AdjustmentProblem adjustment;   ///< of the keyframe's neighbourhood; may be empty
+  AdjustmentProblem adjustment;  ///< of the keyframe's neighbourhood; may be empty
 };
 
 struct SeedMeasurement {
   std::int64_t seed_id = -1;
-  int keyframe_id = -1;      ///< that owns the seed
-  int frame_index = -1;      ///< that was searched
+  int keyframe_id = -1;  ///< that owns the seed
+  int frame_index = -1;  ///< that was searched
   SearchOutcome outcome = SearchOutcome::none;
   double x = 0, tau = 0;
-  Vec2 px = Vec2::Zero();    ///< match, level 0
-  double score = 0;          ///< of the best sample; 0: no scan
+  Vec2 px = Vec2::Zero();  ///< match, level 0
+  double score = 0;        ///< of the best sample; 0: no scan
 };
 
 struct NewSeed {
@@ -88,7 +88,7 @@ struct NewSeed {
 
 struct MappingResult {
   int frame_index = -1;
-  int keyframe_id = -1;      ///< of the new seeds
+  int keyframe_id = -1;  ///< of the new seeds
   std::vector<SeedMeasurement> measurements;
   std::vector<NewSeed> new_seeds;
   SegmentJobResult segments;
@@ -114,9 +114,10 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& para
 Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double median_depth,
               double min_depth, const DepthFilterParameters& parameters);
 
-/// Applies a measurement (or its absence) to the beliefs of both rules, and by the one in use to the
-/// status of a seed.
-void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& parameters);
+/// Applies a measurement (or its absence) to the beliefs of both rules, and by the one in use to
+/// the status of a seed.
+void applyMeasurement(Seed& seed, const SeedMeasurement& m,
+                      const DepthFilterParameters& parameters);
 
 /// The belief of one rule, for display; sigma = 0 if it was not computed.
 BeliefView beliefView(const Seed& seed, FilterRule rule, FilterRule rule_in_use);

@@ -8,14 +8,14 @@ namespace svoscope {
 
 namespace {
 
-constexpr double kBorder = 8;       // px: predicted samples keep this far inside the image
-constexpr int kLeastSamples = 3;    // two always fit
+constexpr double kBorder = 8;     // px: predicted samples keep this far inside the image
+constexpr int kLeastSamples = 3;  // two always fit
 
 struct Place {
-  Vec2 px_ref;     ///< on the reference line, level 0
-  Vec2 px;         ///< predicted, level 0
+  Vec2 px_ref;  ///< on the reference line, level 0
+  Vec2 px;      ///< predicted, level 0
   Vec3 f_ref;
-  double distance; ///< from the reference camera
+  double distance;  ///< from the reference camera
 };
 
 /// The point at parameter t in both views; false where one of them does not see it.
@@ -35,7 +35,7 @@ struct Sampler {
   const SegmentQuery& q;
   const SegmentParameters& p;
   const FeatureAlignmentParameters& alignment;
-  ImageLine line_ref, line;    ///< `line`: predicted in the current view
+  ImageLine line_ref, line;  ///< `line`: predicted in the current view
 
   /// Offset across the predicted line, level-0 px; false if the alignment failed.
   bool measure(double t, int level, LineSample& sample) const {
@@ -43,8 +43,10 @@ struct Sampler {
     if (!placeAt(q, line_ref, t, place)) return false;
     const Mat2 A = affineWarp(q.camera, q.T_cur_ref, place.f_ref, place.distance);
     WarpedPatch patch;
-    if (!warpPatch((*q.ref)[q.anchor.level], place.px_ref, q.anchor.level, A, level, patch)) return false;
-    const AlignmentResult r = alignPatch1D((*q.cur)[level], patch, toLevel(place.px, level), line.normal, alignment);
+    if (!warpPatch((*q.ref)[q.anchor.level], place.px_ref, q.anchor.level, A, level, patch))
+      return false;
+    const AlignmentResult r =
+        alignPatch1D((*q.cur)[level], patch, toLevel(place.px, level), line.normal, alignment);
     if (!r.converged || (r.px - toLevel(place.px, level)).norm() > p.max_shift_px) return false;
     const Vec2 along(line.normal.y(), -line.normal.x());
     sample.s = along.dot(place.px);
@@ -73,9 +75,11 @@ LineFit fitLine(const std::vector<LineSample>& samples, double inlier) {
     for (std::size_t j = i + 1; j < samples.size(); ++j) {
       const double ds = samples[j].s - samples[i].s;
       if (std::abs(ds) < 1e-12) continue;
-      const double b = (samples[j].offset - samples[i].offset) / ds, a = samples[i].offset - b * samples[i].s;
+      const double b = (samples[j].offset - samples[i].offset) / ds,
+                   a = samples[i].offset - b * samples[i].s;
       double cost = 0;
-      for (const LineSample& s : samples) cost += std::min(std::pow(residual(s, a, b), 2), inlier * inlier);
+      for (const LineSample& s : samples)
+        cost += std::min(std::pow(residual(s, a, b), 2), inlier * inlier);
       if (cost < best_cost) best_cost = cost, best.a = a, best.b = b;
     }
   }
@@ -103,22 +107,26 @@ SegmentAlignment alignSegment(const SegmentQuery& q, const SegmentParameters& p,
   SegmentAlignment out;
   const Vec3 p0 = q.T_cur_ref * q.p_ref[0], p1 = q.T_cur_ref * q.p_ref[1];
   if (!clipToImage(q.camera, p0, p1, kBorder + 1, out.t[0], out.t[1])) return out;
-  for (int i = 0; i < 2; ++i) out.predicted[i] = q.camera.project(Vec3((1 - out.t[i]) * p0 + out.t[i] * p1));
+  for (int i = 0; i < 2; ++i)
+    out.predicted[i] = q.camera.project(Vec3((1 - out.t[i]) * p0 + out.t[i] * p1));
   const double length = (out.predicted[1] - out.predicted[0]).norm();
   const Sampler sampler{q, p, alignment, lineThrough(q.anchor.px[0], q.anchor.px[1]),
                         lineThrough(out.predicted[0], out.predicted[1])};
   out.level = levelOf(q, sampler.line_ref, 0.5 * (out.t[0] + out.t[1]));
-  const int wanted = std::min(p.max_samples, static_cast<int>(length / (p.sample_spacing_px * (1 << out.level))));
+  const int wanted =
+      std::min(p.max_samples, static_cast<int>(length / (p.sample_spacing_px * (1 << out.level))));
   if (wanted < kLeastSamples) return out;
   std::vector<LineSample> samples;
   // Equal steps in the image: the parameter runs with 1/z.
-  const double z0 = 1 / ((1 - out.t[0]) * p0 + out.t[0] * p1).z(), z1 = 1 / ((1 - out.t[1]) * p0 + out.t[1] * p1).z();
+  const double z0 = 1 / ((1 - out.t[0]) * p0 + out.t[0] * p1).z(),
+               z1 = 1 / ((1 - out.t[1]) * p0 + out.t[1] * p1).z();
   for (int i = 0; i < wanted; ++i) {
     const double u = (i + 0.5) / wanted, w0 = (1 - u) * z0, w1 = u * z1;
     LineSample sample;
     ++out.samples;
     // An offset holds across the search level's pixels.
-    if (sampler.measure((w0 * out.t[0] + w1 * out.t[1]) / (w0 + w1), out.level, sample)) samples.push_back(sample);
+    if (sampler.measure((w0 * out.t[0] + w1 * out.t[1]) / (w0 + w1), out.level, sample))
+      samples.push_back(sample);
     const int left = wanted - i - 1;
     if (static_cast<int>(samples.size()) + left < kLeastSamples) return out;
   }
@@ -128,7 +136,8 @@ SegmentAlignment alignSegment(const SegmentQuery& q, const SegmentParameters& p,
   if (fit.inliers < kLeastSamples || fit.inliers * 10 < wanted * 6) return out;
   const Vec2 along(sampler.line.normal.y(), -sampler.line.normal.x());
   for (int i = 0; i < 2; ++i)
-    out.px[i] = out.predicted[i] + (fit.a + fit.b * along.dot(out.predicted[i])) * sampler.line.normal;
+    out.px[i] =
+        out.predicted[i] + (fit.a + fit.b * along.dot(out.predicted[i])) * sampler.line.normal;
   out.ok = true;
   return out;
 }

@@ -25,11 +25,11 @@ struct SegmentQuery {
 struct SegmentAlignment {
   bool ok = false;
   int samples = 0, inliers = 0;
-  int level = 0;                                 ///< searched
-  double t[2] = {0, 1};                          ///< visible part of the segment
+  int level = 0;                                     ///< searched
+  double t[2] = {0, 1};                              ///< visible part of the segment
   Vec2 predicted[2] = {Vec2::Zero(), Vec2::Zero()};  ///< ends of that part, level-0 px
-  Vec2 px[2] = {Vec2::Zero(), Vec2::Zero()};     ///< the same on the measured line
-  double rms_px = 0;                             ///< of the inliers from the line, level-0 px
+  Vec2 px[2] = {Vec2::Zero(), Vec2::Zero()};         ///< the same on the measured line
+  double rms_px = 0;                                 ///< of the inliers from the line, level-0 px
 };
 
 SegmentAlignment alignSegment(const SegmentQuery& query, const SegmentParameters& parameters,
@@ -42,7 +42,7 @@ struct LineFit {
   double rms = 0;
 };
 struct LineSample {
-  double s = 0, offset = 0, weight = 1;   ///< residuals are compared times the root of the weight
+  double s = 0, offset = 0, weight = 1;  ///< residuals are compared times the root of the weight
 };
 LineFit fitLine(const std::vector<LineSample>& samples, double inlier);
 

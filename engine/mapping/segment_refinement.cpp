@@ -34,8 +34,8 @@ double costOf(const EndPointResiduals& e) {
 
 }  // namespace
 
-EndPointResiduals endPointResiduals(const SegmentLandmark& segment, int end, const Vec3& p_world, const Map& map,
-                                    double line_noise_px) {
+EndPointResiduals endPointResiduals(const SegmentLandmark& segment, int end, const Vec3& p_world,
+                                    const Map& map, double line_noise_px) {
   EndPointResiduals out;
   const auto most = static_cast<Eigen::Index>(segment.views.size()) + 1;
   out.r.resize(most);
@@ -59,7 +59,8 @@ EndPointResiduals endPointResiduals(const SegmentLandmark& segment, int end, con
     out.r[n] = line.distance(px) / sigma;
     out.J.row(n++) = linePointJacobian(map.camera, p, T.rotation(), line.normal) / sigma;
   }
-  const auto owner = segment.views.empty() ? map.keyframes.end() : map.keyframes.find(segment.views.front().keyframe_id);
+  const auto owner = segment.views.empty() ? map.keyframes.end()
+                                           : map.keyframes.find(segment.views.front().keyframe_id);
   if (segment.prior_sigma[end] > 0 && owner != map.keyframes.end()) {
     // Depth along the first view's ray; the inverse distance of a point near that ray.
     const SE3& T = owner->second.T_cam_world;
@@ -75,7 +76,8 @@ EndPointResiduals endPointResiduals(const SegmentLandmark& segment, int end, con
   return out;
 }
 
-bool refineSegment(SegmentLandmark& segment, const Map& map, double line_noise_px, int max_iterations) {
+bool refineSegment(SegmentLandmark& segment, const Map& map, double line_noise_px,
+                   int max_iterations) {
   if (segment.views.size() < 2) return false;
   const auto B = basisAcross((segment.p_world[1] - segment.p_world[0]).normalized());
   bool moved = false;
@@ -96,7 +98,8 @@ bool refineSegment(SegmentLandmark& segment, const Map& map, double line_noise_p
       if (it == max_iterations) break;
       const Vec2 step = H.inverse() * b;
       if (!step.allFinite()) break;
-      const EndPointResiduals next = endPointResiduals(segment, end, p + B * step, map, line_noise_px);
+      const EndPointResiduals next =
+          endPointResiduals(segment, end, p + B * step, map, line_noise_px);
       const double next_cost = costOf(next);
       // A view that dropped out would lower the cost by itself.
       if (next.r.size() != now.r.size() || !(next_cost < cost)) break;

@@ -14,32 +14,33 @@
 namespace svoscope {
 
 struct SegmentParameters {
-  bool enabled = false;              ///< set by the method
+  bool enabled = false;  ///< set by the method
   SegmentDetectorParameters detector;
   // Alignment in the image
-  int level = 0;                     ///< pyramid level of reference patches
-  int max_samples = 6;               ///< 1-D alignments per segment
-  double sample_spacing_px = 14;     ///< between them, px of the search level
-  double max_shift_px = 8;           ///< alignment farther from the prediction is refused, level px
-  double fit_inlier_px = 1.0;        ///< distance of a sample from the fitted line, level px
+  int level = 0;                  ///< pyramid level of reference patches
+  int max_samples = 6;            ///< 1-D alignments per segment
+  double sample_spacing_px = 14;  ///< between them, px of the search level
+  double max_shift_px = 8;        ///< alignment farther from the prediction is refused, level px
+  double fit_inlier_px = 1.0;     ///< distance of a sample from the fitted line, level px
   // Seeds
-  int search_samples = 5;            ///< epipolar searches per seed and frame
-  double min_edge_cosine = 0.4;      ///< between segment normal and epipolar line; below: no depth
-  int max_job_seeds = 100;           ///< measured per frame
-  double promote_sigma = 0.05;       ///< a tracked seed becomes a landmark at this relative sigma
+  int search_samples = 5;        ///< epipolar searches per seed and frame
+  double min_edge_cosine = 0.4;  ///< between segment normal and epipolar line; below: no depth
+  int max_job_seeds = 100;       ///< measured per frame
+  double promote_sigma = 0.05;   ///< a tracked seed becomes a landmark at this relative sigma
   // Tracking
-  int max_tracked = 40;              ///< per frame
-  int max_tries = 70;                ///< alignments of segments per frame
-  double max_prediction_px = 4;      ///< a seed whose depth leaves more doubt across its line waits
-  int patches_per_segment = 3;       ///< for sparse image alignment, at most
-  int max_patches = 60;              ///< of all segments, for sparse image alignment
+  int max_tracked = 40;          ///< per frame
+  int max_tries = 70;            ///< alignments of segments per frame
+  double max_prediction_px = 4;  ///< a seed whose depth leaves more doubt across its line waits
+  int patches_per_segment = 3;   ///< for sparse image alignment, at most
+  int max_patches = 60;          ///< of all segments, for sparse image alignment
   // Pose
-  double line_noise_px = 0.5;        ///< across the line, at an end of the measured piece
-  double max_depth_px = 0.3;           ///< a depth that leaves more doubt across the line does not enter the pose
-  double pose_sigma = 2;             ///< noise of a segment relative to a corner
-  double min_scale = 0.3;            ///< floor of the robust scale, relative to line_noise_px
-  double max_error_px = 2;           ///< an end point farther from its line makes an outlier
-  int max_failures = 10;             ///< a segment that failed more often, and often, is deleted
+  double line_noise_px = 0.5;  ///< across the line, at an end of the measured piece
+  double max_depth_px =
+      0.3;  ///< a depth that leaves more doubt across the line does not enter the pose
+  double pose_sigma = 2;    ///< noise of a segment relative to a corner
+  double min_scale = 0.3;   ///< floor of the robust scale, relative to line_noise_px
+  double max_error_px = 2;  ///< an end point farther from its line makes an outlier
+  int max_failures = 10;    ///< a segment that failed more often, and often, is deleted
 };
 
 /// What one view saw: end points on the measured line, level-0 px, with unit bearings.
@@ -55,7 +56,7 @@ struct SegmentSeed {
   int keyframe_id = -1;
   SegmentAnchor anchor;
   Belief belief[2];
-  double range = 1;                  ///< R, 1/map unit
+  double range = 1;  ///< R, 1/map unit
   SeedStatus status = SeedStatus::active;
   SeedEnding ending = SeedEnding::none;
   SearchOutcome outcome = SearchOutcome::none;
@@ -69,22 +70,22 @@ struct SegmentMeasurement {
   int keyframe_id = -1;
   int frame_index = -1;
   SearchOutcome outcome = SearchOutcome::none;
-  double x[2] = {0, 0}, tau[2] = {0, 0};   ///< inverse distances along the bearings, and sigmas
+  double x[2] = {0, 0}, tau[2] = {0, 0};  ///< inverse distances along the bearings, and sigmas
 };
 
 struct SegmentView {
   int keyframe_id = -1;
-  SegmentAnchor anchor;              ///< the line; its ends are where it was visible
+  SegmentAnchor anchor;  ///< the line; its ends are where it was visible
 };
 
 struct SegmentLandmark {
   std::int64_t id = -1;
   Vec3 p_world[2] = {Vec3::Zero(), Vec3::Zero()};
   Mat3 covariance[2] = {Mat3::Zero(), Mat3::Zero()};  ///< of the end points across the line, world
-  std::vector<SegmentView> views;    ///< first: where it was detected
+  std::vector<SegmentView> views;                     ///< first: where it was detected
   /// What the seed knew when promoted: inverse distance in the first view and its sigma.
   double prior[2] = {0, 0}, prior_sigma[2] = {0, 0};
-  int succeeded = 0, failed = 0;     ///< frames that tried it: inlier of the pose or not
+  int succeeded = 0, failed = 0;  ///< frames that tried it: inlier of the pose or not
 };
 
 /// The segments' part of a mapping job and of its result.
@@ -96,7 +97,7 @@ struct JobSegmentSeed {
 };
 struct SegmentJob {
   std::vector<JobSegmentSeed> seeds;
-  std::vector<DetectedSegment> tracked;    ///< where the new keyframe already has segments
+  std::vector<DetectedSegment> tracked;  ///< where the new keyframe already has segments
 };
 struct NewSegmentSeed {
   SegmentAnchor anchor;

@@ -12,7 +12,7 @@ namespace {
 
 /// One search between the end points.
 struct Vote {
-  double u = 0;        ///< 0 .. 1 along the segment in the image
+  double u = 0;  ///< 0 .. 1 along the segment in the image
   double inv_z = 0, tau_z = 0;
 };
 
@@ -27,7 +27,7 @@ EpipolarMatch searchAt(const SegmentSearch& s, double u, const MappingParameters
   q.level_ref = s.anchor.level;
   q.type = FeatureType::edgelet;
   q.gradient_dir = lineThrough(s.anchor.px[0], s.anchor.px[1]).normal;
-  const auto between = [&](const double (&v)[2]) {
+  const auto between = [&](const double(&v)[2]) {
     return f.z() * ((1 - u) * v[0] / s.anchor.f[0].z() + u * v[1] / s.anchor.f[1].z());
   };
   q.mu = between(s.mu);
@@ -47,7 +47,8 @@ double epipolarCosine(const SegmentSearch& s, const EpipolarMatch& match, const 
 /// The reason to keep when the votes do not make a measurement.
 SearchOutcome reasonOf(const std::vector<SearchOutcome>& outcomes) {
   const auto half = static_cast<std::ptrdiff_t>(outcomes.size() + 1) / 2;
-  for (const SearchOutcome o : {SearchOutcome::edge_parallel, SearchOutcome::out_of_view, SearchOutcome::low_parallax}) {
+  for (const SearchOutcome o :
+       {SearchOutcome::edge_parallel, SearchOutcome::out_of_view, SearchOutcome::low_parallax}) {
     if (std::count(outcomes.begin(), outcomes.end(), o) >= half) return o;
   }
   return SearchOutcome::no_match;
@@ -55,7 +56,7 @@ SearchOutcome reasonOf(const std::vector<SearchOutcome>& outcomes) {
 
 /// Line through the votes; fills x and tau of both end points. False if too few agree.
 bool fitVotes(const std::vector<Vote>& votes, const SegmentAnchor& anchor, SegmentMeasurement& m) {
-  constexpr double kAgree = 3;       // sigmas
+  constexpr double kAgree = 3;  // sigmas
   std::vector<LineSample> samples;
   for (const Vote& v : votes) samples.push_back({v.u, v.inv_z, 1 / (v.tau_z * v.tau_z)});
   const LineFit fit = fitLine(samples, kAgree);
@@ -124,8 +125,9 @@ SegmentMeasurement searchSegment(const SegmentSearch& s, const MappingParameters
   return m;
 }
 
-SegmentMeasurement measureFromLine(const Pinhole& camera, const SE3& T_cur_ref, const SegmentAnchor& anchor,
-                                   const Vec2 (&px)[2], const MappingParameters& p) {
+SegmentMeasurement measureFromLine(const Pinhole& camera, const SE3& T_cur_ref,
+                                   const SegmentAnchor& anchor, const Vec2 (&px)[2],
+                                   const MappingParameters& p) {
   SegmentMeasurement m;
   m.outcome = SearchOutcome::tracked;
   const ImageLine line = lineThrough(px[0], px[1]);
@@ -135,19 +137,22 @@ SegmentMeasurement measureFromLine(const Pinhole& camera, const SE3& T_cur_ref, 
     if (!(r.inv_distance > 0)) return m.outcome = SearchOutcome::no_match, m;
     const Vec3 q = T_cur_ref.quaternion() * anchor.f[i] + r.inv_distance * T_cur_ref.translation();
     m.x[i] = r.inv_distance;
-    m.tau[i] = p.search.pixel_noise * r.per_px * std::sqrt(lineVariance(px[0], px[1], camera.project(q)));
+    m.tau[i] =
+        p.search.pixel_noise * r.per_px * std::sqrt(lineVariance(px[0], px[1], camera.project(q)));
   }
   return m;
 }
 
-void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m, const DepthFilterParameters& p) {
+void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m,
+                             const DepthFilterParameters& p) {
   seed.outcome = m.outcome;
   switch (m.outcome) {
     case SearchOutcome::matched:
     case SearchOutcome::tracked: {
       double a = 0, b = 0;
       for (int i = 0; i < 2; ++i) {
-        seed.belief[i] = updateBelief(p.rule, seed.belief[i], {m.x[i], m.tau[i] * m.tau[i], seed.range}, p.js);
+        seed.belief[i] =
+            updateBelief(p.rule, seed.belief[i], {m.x[i], m.tau[i] * m.tau[i], seed.range}, p.js);
         a += 0.5 * seed.belief[i].a;
         b += 0.5 * seed.belief[i].b;
         seed.last_x[i] = m.x[i];
@@ -182,8 +187,13 @@ SegmentJobResult runSegmentJob(const MappingJob& job, const MappingParameters& p
   if (!p.segments.enabled) return result;
   for (const JobSegmentSeed& seed : job.segments.seeds) {
     const JobKeyframe& owner = job.keyframes[static_cast<std::size_t>(seed.keyframe_slot)];
-    SegmentSearch s{owner.pyramid.get(), job.pyramid.get(), job.camera, job.T_cam_world * owner.T_cam_world.inverse(),
-                    seed.anchor, {seed.mu[0], seed.mu[1]}, {seed.sigma[0], seed.sigma[1]}};
+    SegmentSearch s{owner.pyramid.get(),
+                    job.pyramid.get(),
+                    job.camera,
+                    job.T_cam_world * owner.T_cam_world.inverse(),
+                    seed.anchor,
+                    {seed.mu[0], seed.mu[1]},
+                    {seed.sigma[0], seed.sigma[1]}};
     SegmentMeasurement m = searchSegment(s, p);
     m.seed_id = seed.id;
     m.keyframe_id = owner.id;
@@ -192,13 +202,21 @@ SegmentJobResult runSegmentJob(const MappingJob& job, const MappingParameters& p
   }
   if (!job.new_seeds.wanted) return result;
   const int level = std::min<int>(p.segments.level, static_cast<int>(job.pyramid->size()) - 1);
-  for (const DetectedSegment& d : detectSegments(*job.pyramid, p.segments.detector, job.segments.tracked)) {
+  for (const DetectedSegment& d :
+       detectSegments(*job.pyramid, p.segments.detector, job.segments.tracked)) {
     NewSegmentSeed fresh{makeSegmentAnchor(d.px[0], d.px[1], job.camera, level), {}};
-    SegmentSeed seed = makeSegmentSeed(fresh.anchor, job.new_seeds.median_depth, job.new_seeds.min_depth, p.filter);
+    SegmentSeed seed = makeSegmentSeed(fresh.anchor, job.new_seeds.median_depth,
+                                       job.new_seeds.min_depth, p.filter);
     for (const JobKeyframe& view : job.older_views) {
-      SegmentSearch s{job.pyramid.get(), view.pyramid.get(), job.camera, view.T_cam_world * job.T_cam_world.inverse(),
-                      fresh.anchor, {}, {}};
-      for (int i = 0; i < 2; ++i) s.mu[i] = seed.belief[i].mu, s.sigma[i] = std::sqrt(seed.belief[i].sigma2);
+      SegmentSearch s{job.pyramid.get(),
+                      view.pyramid.get(),
+                      job.camera,
+                      view.T_cam_world * job.T_cam_world.inverse(),
+                      fresh.anchor,
+                      {},
+                      {}};
+      for (int i = 0; i < 2; ++i)
+        s.mu[i] = seed.belief[i].mu, s.sigma[i] = std::sqrt(seed.belief[i].sigma2);
       SegmentMeasurement m = searchSegment(s, p);
       if (m.outcome != SearchOutcome::matched) continue;
       m.keyframe_id = job.new_seeds.keyframe_id;

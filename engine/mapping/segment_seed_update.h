@@ -21,18 +21,20 @@ struct SegmentSearch {
   Pinhole camera;
   SE3 T_cur_ref;
   SegmentAnchor anchor;
-  double mu[2] = {1, 1}, sigma[2] = {0, 0};   ///< inverse distances of the end points
+  double mu[2] = {1, 1}, sigma[2] = {0, 0};  ///< inverse distances of the end points
 };
 
 /// Epipolar searches along the segment and their robust fit. Ids and frame are left to the caller.
 SegmentMeasurement searchSegment(const SegmentSearch& search, const MappingParameters& parameters);
 
 /// Both end points from a line measured by the tracker: rays against the line's plane.
-SegmentMeasurement measureFromLine(const Pinhole& camera, const SE3& T_cur_ref, const SegmentAnchor& anchor,
-                                   const Vec2 (&px)[2], const MappingParameters& parameters);
+SegmentMeasurement measureFromLine(const Pinhole& camera, const SE3& T_cur_ref,
+                                   const SegmentAnchor& anchor, const Vec2 (&px)[2],
+                                   const MappingParameters& parameters);
 
 /// Applies a measurement to both beliefs and to the shared a, b and status.
-void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m, const DepthFilterParameters& parameters);
+void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m,
+                             const DepthFilterParameters& parameters);
 
 /// The segments' part of runMappingJob.
 SegmentJobResult runSegmentJob(const MappingJob& job, const MappingParameters& parameters);

@@ -16,7 +16,7 @@ constexpr double kMinInverseDistance = 1e-6;
 /// The epipolar line as seen from the current camera, level-0 pixels.
 struct Line {
   bool valid = false;
-  Vec2 middle, near, far;   ///< at mu, mu + n sigma, mu - n sigma
+  Vec2 middle, near, far;  ///< at mu, mu + n sigma, mu - n sigma
 };
 
 /// Homogeneous: q(z) = R f + z t has the direction of the point at inverse distance z.
@@ -34,7 +34,8 @@ Line epipolarLine(const EpipolarQuery& q, double search_sigmas) {
   const double z_far = std::max(q.mu - half, kMinInverseDistance);
   if (!projectInverse(q, q.mu, line.middle) || !projectInverse(q, z_far, line.far)) return line;
   // The near end may lie behind the camera: pull it back towards the belief.
-  for (int i = 0; i < 6 && !projectInverse(q, z_near, line.near); ++i) z_near = 0.5 * (z_near + q.mu);
+  for (int i = 0; i < 6 && !projectInverse(q, z_near, line.near); ++i)
+    z_near = 0.5 * (z_near + q.mu);
   line.valid = projectInverse(q, z_near, line.near);
   return line;
 }
@@ -90,7 +91,8 @@ void walkLine(const Line& line, int level, const EpipolarParameters& p, const Vi
   for (int side = 0; side < 2; ++side) {
     const double length = (ends[side] - middle).norm();
     samples[side] = static_cast<int>(std::ceil(length / p.step_px));
-    step[side] = length > 0 ? Vec2((ends[side] - middle) / std::max(samples[side], 1)) : Vec2::Zero();
+    step[side] =
+        length > 0 ? Vec2((ends[side] - middle) / std::max(samples[side], 1)) : Vec2::Zero();
   }
   // A short side leaves its share of the budget to the other.
   int share[2] = {std::min(samples[0], budget / 2), std::min(samples[1], budget / 2)};
@@ -98,7 +100,8 @@ void walkLine(const Line& line, int level, const EpipolarParameters& p, const Vi
   share[1] = std::min(samples[1], budget - share[0]);
   Eigen::Vector2i last(-1, -1);
   const auto at = [&](const Vec2& px) {
-    const Eigen::Vector2i pixel(static_cast<int>(std::lround(px.x())), static_cast<int>(std::lround(px.y())));
+    const Eigen::Vector2i pixel(static_cast<int>(std::lround(px.x())),
+                                static_cast<int>(std::lround(px.y())));
     if (pixel == last) return;
     last = pixel;
     visit(pixel.x(), pixel.y());
@@ -137,11 +140,12 @@ SearchOutcome prepare(const EpipolarQuery& q, const EpipolarParameters& p, Prepa
   out.line = epipolarLine(q, p.search_sigmas);
   if (!out.line.valid || !out.line.middle.allFinite()) return SearchOutcome::out_of_view;
   if (!q.camera.inside(out.line.middle, 9)) return SearchOutcome::out_of_view;
-  out.A_cur_ref = affineWarp(q.camera, q.T_cur_ref, q.f_ref, 1.0 / std::max(q.mu, kMinInverseDistance));
+  out.A_cur_ref =
+      affineWarp(q.camera, q.T_cur_ref, q.f_ref, 1.0 / std::max(q.mu, kMinInverseDistance));
   const int top = static_cast<int>(q.cur->size()) - 1;
   out.level = searchLevel(out.A_cur_ref, q.level_ref, top);
-  const bool warped = warpPatch((*q.ref)[q.level_ref], q.px_ref, q.level_ref, out.A_cur_ref,
-                                out.level, out.patch);
+  const bool warped =
+      warpPatch((*q.ref)[q.level_ref], q.px_ref, q.level_ref, out.A_cur_ref, out.level, out.patch);
   return warped ? SearchOutcome::matched : SearchOutcome::out_of_view;
 }
 
@@ -164,7 +168,8 @@ double triangulateInverseDistance(const Pinhole& camera, const SE3& T_cur_ref, c
 }
 
 double parallaxAt(const SE3& T_cur_ref, const Vec3& f_ref, double inv_distance) {
-  const Vec3 f_back = T_cur_ref.quaternion() * f_ref, q = f_back + inv_distance * T_cur_ref.translation();
+  const Vec3 f_back = T_cur_ref.quaternion() * f_ref,
+             q = f_back + inv_distance * T_cur_ref.translation();
   return std::atan2(f_back.cross(q).norm(), f_back.dot(q));
 }
 
@@ -172,7 +177,7 @@ double inverseDistanceSigma(const SE3& T_cur_ref, const Vec3& f_ref, double inv_
                             double pixel_noise, double focal) {
   const double px_angle = 2.0 * std::atan(0.5 * pixel_noise / focal);
   const SE3 T_ref_cur = T_cur_ref.inverse();
-  const Vec3& t = T_ref_cur.translation();   // current camera seen from the reference
+  const Vec3& t = T_ref_cur.translation();  // current camera seen from the reference
   const double t_norm = t.norm();
   const double distance = 1.0 / std::max(inv_distance, kMinInverseDistance);
   if (t_norm < 1e-9) return 1e6;
@@ -195,7 +200,8 @@ EpipolarMatch searchEpipolar(const EpipolarQuery& q, const EpipolarParameters& p
   double length = direction.norm() / (1 << s.level);
   if (direction.norm() < 1e-6) {
     Vec2 ahead;
-    if (!projectInverse(q, q.mu * 1.01, ahead)) return match.outcome = SearchOutcome::low_parallax, match;
+    if (!projectInverse(q, q.mu * 1.01, ahead))
+      return match.outcome = SearchOutcome::low_parallax, match;
     direction = ahead - s.line.middle;
     length = 0;
     if (direction.norm() < 1e-9) return match.outcome = SearchOutcome::low_parallax, match;
@@ -228,7 +234,8 @@ EpipolarMatch searchEpipolar(const EpipolarQuery& q, const EpipolarParameters& p
     match.outcome = SearchOutcome::low_parallax;
     return match;
   }
-  match.tau = inverseDistanceSigma(q.T_cur_ref, q.f_ref, match.inv_distance, p.pixel_noise, q.camera.focal());
+  match.tau = inverseDistanceSigma(q.T_cur_ref, q.f_ref, match.inv_distance, p.pixel_noise,
+                                   q.camera.focal());
   match.outcome = SearchOutcome::matched;
   return match;
 }
@@ -255,7 +262,8 @@ std::vector<ProfileSample> scoreProfile(const EpipolarQuery& q, const EpipolarPa
   walkLine(s.line, s.level, p, [&](int x, int y) {
     if (!insideForScore(image, x, y)) return;
     const Vec2 px = fromLevel(Vec2(x, y), s.level);
-    samples.push_back({px, triangulateInverseDistance(q.camera, q.T_cur_ref, q.f_ref, px), score(image, x, y)});
+    samples.push_back(
+        {px, triangulateInverseDistance(q.camera, q.T_cur_ref, q.f_ref, px), score(image, x, y)});
   });
   std::sort(samples.begin(), samples.end(), [](const ProfileSample& a, const ProfileSample& b) {
     return a.inv_distance < b.inv_distance;

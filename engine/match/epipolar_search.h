@@ -26,25 +26,25 @@ struct EpipolarParameters {
 
 /// What is searched for, and what is believed.
 struct EpipolarQuery {
-  const Pyramid* ref = nullptr;    ///< pyramid of the reference keyframe
+  const Pyramid* ref = nullptr;  ///< pyramid of the reference keyframe
   const Pyramid* cur = nullptr;
   Pinhole camera;
   SE3 T_cur_ref;
-  Vec2 px_ref = Vec2::Zero();      ///< level-0 pixel in the reference
-  Vec3 f_ref = Vec3::UnitZ();      ///< unit bearing of px_ref
+  Vec2 px_ref = Vec2::Zero();  ///< level-0 pixel in the reference
+  Vec3 f_ref = Vec3::UnitZ();  ///< unit bearing of px_ref
   int level_ref = 0;
   FeatureType type = FeatureType::corner;
   Vec2 gradient_dir = Vec2::Zero();  ///< edgelets
-  double mu = 1, sigma = 0;        ///< inverse distance, 1/map unit
+  double mu = 1, sigma = 0;          ///< inverse distance, 1/map unit
 };
 
 struct EpipolarMatch {
   SearchOutcome outcome = SearchOutcome::none;
-  Vec2 px = Vec2::Zero();          ///< level-0 pixel of the match
-  int level = 0;                   ///< search level
-  double inv_distance = 0;         ///< triangulated along the reference ray
-  double tau = 0;                  ///< its sigma
-  double score = 0;                ///< zero-mean SSD per pixel of the best sample
+  Vec2 px = Vec2::Zero();            ///< level-0 pixel of the match
+  int level = 0;                     ///< search level
+  double inv_distance = 0;           ///< triangulated along the reference ray
+  double tau = 0;                    ///< its sigma
+  double score = 0;                  ///< zero-mean SSD per pixel of the best sample
   Vec2 gradient_dir = Vec2::Zero();  ///< edgelets: gradient in the current image, unit
 };
 
@@ -64,9 +64,9 @@ SearchSetup prepareSearch(const EpipolarQuery& query, const EpipolarParameters& 
 
 /// Score of every sample of the search, for display. Empty if the search has no line.
 struct ProfileSample {
-  Vec2 px = Vec2::Zero();   ///< level 0
+  Vec2 px = Vec2::Zero();  ///< level 0
   double inv_distance = 0;
-  double score = 0;         ///< zero-mean SSD per pixel
+  double score = 0;  ///< zero-mean SSD per pixel
 };
 std::vector<ProfileSample> scoreProfile(const EpipolarQuery& query,
                                         const EpipolarParameters& parameters);
@@ -79,8 +79,8 @@ double parallaxAt(const SE3& T_cur_ref, const Vec3& f_ref, double inv_distance);
 double triangulateInverseDistance(const Pinhole& camera, const SE3& T_cur_ref, const Vec3& f_ref,
                                   const Vec2& px_cur);
 
-/// Sigma of the inverse distance caused by `pixel_noise` px along the epipolar line: law of sines on
-/// the triangle (reference, current, point), as in REMODE (Pizzoli et al., ICRA 2014).
+/// Sigma of the inverse distance caused by `pixel_noise` px along the epipolar line: law of sines
+/// on the triangle (reference, current, point), as in REMODE (Pizzoli et al., ICRA 2014).
 double inverseDistanceSigma(const SE3& T_cur_ref, const Vec3& f_ref, double inv_distance,
                             double pixel_noise, double focal);
 

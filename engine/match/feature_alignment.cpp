@@ -14,7 +14,8 @@ inline void samplePatch(const cv::Mat& image, float x, float y, float* out) {
   const float sx = x - static_cast<float>(xi), sy = y - static_cast<float>(yi);
   const float w00 = (1 - sx) * (1 - sy), w01 = sx * (1 - sy), w10 = (1 - sx) * sy, w11 = sx * sy;
   for (int i = 0; i < kPatchSize; ++i) {
-    const std::uint8_t* __restrict p = image.ptr<std::uint8_t>(yi - kPatchHalf + i) + xi - kPatchHalf;
+    const std::uint8_t* __restrict p =
+        image.ptr<std::uint8_t>(yi - kPatchHalf + i) + xi - kPatchHalf;
     const std::uint8_t* __restrict q = p + image.step[0];
     for (int j = 0; j < kPatchSize; ++j) {
       out[j] = w00 * p[j] + w01 * p[j + 1] + w10 * q[j] + w11 * q[j + 1];
@@ -24,7 +25,8 @@ inline void samplePatch(const cv::Mat& image, float x, float y, float* out) {
 }
 
 bool patchInside(const cv::Mat& image, float x, float y) {
-  return x >= kPatchHalf && y >= kPatchHalf && x < static_cast<float>(image.cols - kPatchHalf - 1) &&
+  return x >= kPatchHalf && y >= kPatchHalf &&
+         x < static_cast<float>(image.cols - kPatchHalf - 1) &&
          y < static_cast<float>(image.rows - kPatchHalf - 1);
 }
 
@@ -61,7 +63,8 @@ inline float dot(const float* __restrict a, const float* __restrict b) {
   for (int i = 0; i < kPatchArea; i += 8) {
     for (int k = 0; k < 8; ++k) lanes[k] += a[i + k] * b[i + k];
   }
-  return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
+  return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) +
+         ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
 }
 
 /// Gauss-Newton over N translations, gain and offset. Gain and offset are eliminated by making the
@@ -102,7 +105,8 @@ class Aligner {
       if (gain_) gain = dot(residual, template_.value) / energy_;
       if (!(gain > 0.3f && gain < 3.0f)) return result;
       Eigen::Matrix<double, N, 1> b;
-      for (int i = 0; i < N; ++i) b[i] = dot(template_.jacobian[i], residual) / gain - along_template_[i];
+      for (int i = 0; i < N; ++i)
+        b[i] = dot(template_.jacobian[i], residual) / gain - along_template_[i];
       const Eigen::Matrix<double, N, 1> step = solver_.solve(b);
       if constexpr (N == 2) {
         x -= static_cast<float>(step[0]);

@@ -11,15 +11,15 @@ namespace svoscope {
 
 struct FeatureAlignmentParameters {
   int max_iterations = 10;
-  double min_step_px = 0.03;     ///< converged below
-  double max_mean_error = 22;    ///< refused above: RMS residual after alignment, grey levels
-  bool estimate_gain = true;     ///< besides the offset
+  double min_step_px = 0.03;   ///< converged below
+  double max_mean_error = 22;  ///< refused above: RMS residual after alignment, grey levels
+  bool estimate_gain = true;   ///< besides the offset
 };
 
 struct AlignmentResult {
   bool converged = false;
-  Vec2 px = Vec2::Zero();   ///< on the level searched
-  double rms = 0;           ///< grey levels, gain and offset removed
+  Vec2 px = Vec2::Zero();  ///< on the level searched
+  double rms = 0;          ///< grey levels, gain and offset removed
   int iterations = 0;
 };
 

@@ -44,8 +44,8 @@ Mat2 affineWarp(const Pinhole& camera, const SE3& T_cur_ref, const Vec3& f_ref, 
 /// one up while the area factor exceeds 3. `A_cur_ref` is d px_cur / d px_ref at level 0.
 int searchLevel(const Mat2& A_cur_ref, int level_ref, int max_level);
 
-/// Samples the reference pyramid level `level_ref` around level-0 pixel `px_ref` such that the patch
-/// looks as on level `level_cur` of the current view. False if it leaves the reference image.
+/// Samples the reference pyramid level `level_ref` around level-0 pixel `px_ref` such that the
+/// patch looks as on level `level_cur` of the current view. False if it leaves the reference image.
 bool warpPatch(const cv::Mat& image_ref, const Vec2& px_ref, int level_ref, const Mat2& A_cur_ref,
                int level_cur, WarpedPatch& patch);
 

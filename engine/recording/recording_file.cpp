@@ -45,7 +45,8 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const fs::path& file)
   if (!known.ok()) return known.error();
   if (!recording->load()) {
     const bool by_sqlite = recording->database_->failed();
-    return recording->damaged(by_sqlite ? recording->database_->problem() : "its tables hold what no run writes");
+    return recording->damaged(by_sqlite ? recording->database_->problem()
+                                        : "its tables hold what no run writes");
   }
   if (recording->frames_.empty())
     return inputError("the recording has no frames", file.string(),
@@ -82,8 +83,8 @@ Status RecordingFile::identify() {
         file_.string(), "update svoscope");
   }
   if (version < kSchemaVersion) {
-    return inputError(fmt::format("written by an older svoscope (format {}, this one reads {})", version,
-                                  kSchemaVersion),
+    return inputError(fmt::format("written by an older svoscope (format {}, this one reads {})",
+                                  version, kSchemaVersion),
                       file_.string(), "record the run again");
   }
   // Larger than any recording's index, small against its images: pages are read in place.

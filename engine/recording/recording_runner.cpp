@@ -141,7 +141,8 @@ SnapshotPtr RecordingRunner::whole(int row) const {
   auto snapshot = std::make_shared<Snapshot>(*without_image);
   snapshot->pyramid = file_->pyramid(frameAt(row));
   if (!snapshot->pyramid && file_->frames()[static_cast<std::size_t>(row)].readable)
-    events_.push_back({frameAt(row), EventKind::error, "the recording's image of this frame is missing or damaged"});
+    events_.push_back({frameAt(row), EventKind::error,
+                       "the recording's image of this frame is missing or damaged"});
   std::size_t bytes = sizeof(Snapshot) + snapshot->features.size() * sizeof(FeatureView);
   if (snapshot->pyramid) {
     for (const cv::Mat& level : *snapshot->pyramid) bytes += level.total();

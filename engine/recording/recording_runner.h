@@ -47,8 +47,8 @@ class RecordingRunner : public Runner {
   const std::unique_ptr<RecordingFile> file_;
   mutable LruCache<SnapshotPtr> values_, wholes_;
   Playback playback_;
-  int row_ = -1;                       ///< reached now; -1: before the first
-  int furthest_ = -1;                  ///< reached since the last reset
+  int row_ = -1;       ///< reached now; -1: before the first
+  int furthest_ = -1;  ///< reached since the last reset
   bool told_incomplete_ = false;
   std::size_t recorded_events_ = 0;    ///< of the file, published
   mutable std::vector<Event> events_;  ///< published

@@ -7,8 +7,8 @@
 
 namespace svoscope {
 
-Engine::Engine(std::unique_ptr<Sequence> sequence, const Parameters& parameters, int start, int max_frames,
-               std::string method)
+Engine::Engine(std::unique_ptr<Sequence> sequence, const Parameters& parameters, int start,
+               int max_frames, std::string method)
     : sequence_(std::move(sequence)),
       rectifier_(sequence_->camera()),
       parameters_(parameters),

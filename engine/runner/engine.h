@@ -14,8 +14,8 @@ namespace svoscope {
 
 class Engine {
  public:
-  Engine(std::unique_ptr<Sequence> sequence, const Parameters& parameters, int start, int max_frames,
-         std::string method);
+  Engine(std::unique_ptr<Sequence> sequence, const Parameters& parameters, int start,
+         int max_frames, std::string method);
 
   /// True if the last frame was processed.
   bool finished() const { return next_ >= end_; }
@@ -36,7 +36,8 @@ class Engine {
   /// Copies what mapping added to the frame's record after step().
   void refreshRecord();
 
-  /// On: snapshots hold both rules of the depth filter and every seed update (Tracker::setInspected).
+  /// On: snapshots hold both rules of the depth filter and every seed update
+  /// (Tracker::setInspected).
   void setInspected(bool on) { tracker_.setInspected(on); }
 
   /// Off: snapshots say what seeds believe, not where in the world and in the image that is.

@@ -20,13 +20,16 @@ std::optional<FilterRule> ruleOf(const std::string& method) {
 
 Status applyMethod(Parameters& parameters, const std::string& method) {
   const auto rule = ruleOf(method);
-  if (!rule) return usageError("method '" + method + "' is not available", "--method", "use svo, pl-svo or it-svo");
+  if (!rule)
+    return usageError("method '" + method + "' is not available", "--method",
+                      "use svo, pl-svo or it-svo");
   parameters.tracker.mapping.filter.rule = *rule;
   parameters.tracker.mapping.segments.enabled = method != "svo";
   return Done{};
 }
 
-Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& asked) {
+Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence,
+                                           const RunnerOptions& asked) {
   RunnerOptions options = asked;
   const Status known = applyMethod(options.parameters, asked.method);
   if (!known.ok()) return known.error();
@@ -37,7 +40,8 @@ Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence, c
                       "the sequence has " + std::to_string(sequence->size()) + " frames");
   const Status camera = sequence->camera().check();
   if (!camera.ok()) return camera.error();
-  if (options.threaded) return std::unique_ptr<Runner>(new ThreadedRunner(std::move(sequence), options));
+  if (options.threaded)
+    return std::unique_ptr<Runner>(new ThreadedRunner(std::move(sequence), options));
   return std::unique_ptr<Runner>(new SyncRunner(std::move(sequence), options));
 }
 

@@ -16,8 +16,10 @@ namespace {
 
 template <typename T>
 std::string textOf(const T& value) {
-  if constexpr (std::is_same_v<T, bool>) return value ? "true" : "false";
-  else return fmt::format("{}", value);
+  if constexpr (std::is_same_v<T, bool>)
+    return value ? "true" : "false";
+  else
+    return fmt::format("{}", value);
 }
 
 bool parse(const std::string& text, bool& value) {
@@ -39,9 +41,12 @@ bool parse(const std::string& text, T& value) {
 
 template <typename T>
 constexpr const char* typeName() {
-  if constexpr (std::is_same_v<T, bool>) return "bool";
-  else if constexpr (std::is_integral_v<T>) return "int";
-  else return "float";
+  if constexpr (std::is_same_v<T, bool>)
+    return "bool";
+  else if constexpr (std::is_integral_v<T>)
+    return "int";
+  else
+    return "float";
 }
 
 std::string known(Parameters& parameters, const std::string& key) {
@@ -52,19 +57,22 @@ std::string known(Parameters& parameters, const std::string& key) {
     const std::string name = info.key;
     const std::string its_group = name.substr(0, name.find('.'));
     if (!group.empty() && name.rfind(group, 0) == 0) same += (same.empty() ? "" : ", ") + name;
-    if (groups.find(its_group) == std::string::npos) groups += (groups.empty() ? "" : ", ") + its_group;
+    if (groups.find(its_group) == std::string::npos)
+      groups += (groups.empty() ? "" : ", ") + its_group;
   });
   return same.empty() ? "groups are " + groups : "known are " + same;
 }
 
 bool hasParameter(Parameters& parameters, const std::string& key) {
   bool found = false;
-  visitParameters(parameters, [&](const ParameterInfo& info, auto&) { found = found || key == info.key; });
+  visitParameters(parameters,
+                  [&](const ParameterInfo& info, auto&) { found = found || key == info.key; });
   return found;
 }
 
 /// A value of a configuration file: its errors are input errors that name the file.
-Status setInFile(Parameters& parameters, const std::string& key, const YAML::Node& value, const std::string& where) {
+Status setInFile(Parameters& parameters, const std::string& key, const YAML::Node& value,
+                 const std::string& where) {
   const Status set = setParameter(parameters, key, value.as<std::string>());
   if (set.ok()) return set;
   Error error = set.error();
@@ -82,11 +90,14 @@ Status setParameter(Parameters& parameters, const std::string& key, const std::s
     auto parsed = field;
     const bool is_bool = std::is_same_v<std::decay_t<decltype(field)>, bool>;
     if (!parse(value, parsed)) {
-      outcome = usageError(fmt::format("'{}' is not a valid {}", value, typeName<std::decay_t<decltype(field)>>()), key,
-                           is_bool ? "use true or false" : "use a number");
-    } else if (!is_bool && (static_cast<double>(parsed) < info.minimum || static_cast<double>(parsed) > info.maximum)) {
-      outcome = usageError(fmt::format("{} is out of bounds", value), key,
-                           fmt::format("allowed are {} to {} {}", info.minimum, info.maximum, info.unit));
+      outcome = usageError(
+          fmt::format("'{}' is not a valid {}", value, typeName<std::decay_t<decltype(field)>>()),
+          key, is_bool ? "use true or false" : "use a number");
+    } else if (!is_bool && (static_cast<double>(parsed) < info.minimum ||
+                            static_cast<double>(parsed) > info.maximum)) {
+      outcome =
+          usageError(fmt::format("{} is out of bounds", value), key,
+                     fmt::format("allowed are {} to {} {}", info.minimum, info.maximum, info.unit));
     } else {
       field = parsed;
       outcome = Status(Done{});
@@ -112,7 +123,9 @@ std::vector<ParameterView> listParameters(const Parameters& parameters) {
   });
   const Parameters defaults;
   std::size_t i = 0;
-  visitParameters(defaults, [&](const ParameterInfo&, const auto& field) { views[i++].default_value = textOf(field); });
+  visitParameters(defaults, [&](const ParameterInfo&, const auto& field) {
+    views[i++].default_value = textOf(field);
+  });
   return views;
 }
 
@@ -120,19 +133,24 @@ Status loadParameters(Parameters& parameters, const std::filesystem::path& file)
   const std::string where = file.string();
   try {
     const YAML::Node root = YAML::LoadFile(where);
-    if (!root.IsMap()) return inputError("is not a map of parameter groups", where, "write 'reproject:' and below it 'cell_px: 30'");
+    if (!root.IsMap())
+      return inputError("is not a map of parameter groups", where,
+                        "write 'reproject:' and below it 'cell_px: 30'");
     for (const auto& group : root) {
       const auto name = group.first.as<std::string>();
       // What parametersYaml adds for the record.
       if (name == "method") continue;
       if (group.second.IsScalar() && hasParameter(parameters, name)) {
-        if (const Status set = setInFile(parameters, name, group.second, where); !set.ok()) return set;
+        if (const Status set = setInFile(parameters, name, group.second, where); !set.ok())
+          return set;
         continue;
       }
-      if (!group.second.IsMap()) return inputError("group '" + name + "' is not a map", where, known(parameters, name));
+      if (!group.second.IsMap())
+        return inputError("group '" + name + "' is not a map", where, known(parameters, name));
       for (const auto& entry : group.second) {
         const std::string key = name + "." + entry.first.as<std::string>();
-        if (const Status set = setInFile(parameters, key, entry.second, where); !set.ok()) return set;
+        if (const Status set = setInFile(parameters, key, entry.second, where); !set.ok())
+          return set;
       }
     }
   } catch (const YAML::BadFile&) {
@@ -154,7 +172,8 @@ std::string parametersYaml(const Parameters& parameters, const std::string& meth
       continue;
     }
     const std::string name = view.key.substr(0, dot);
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
     if (group == groups.end()) group = groups.insert(groups.end(), {name, ""});
     group->second += fmt::format("  {}: {}\n", view.key.substr(dot + 1), view.value);
   }

@@ -20,11 +20,13 @@ void applyCommand(const RunParts& run, const Command& command) {
     run.engine.reset();
     run.log.clear();
     run.log.parameters(listParameters(run.engine.parameters()), run.engine.nextFrame());
-  } else if (command.kind == Command::Kind::pause && !run.publish && run.engine.record().index >= 0) {
+  } else if (command.kind == Command::Kind::pause && !run.publish &&
+             run.engine.record().index >= 0) {
     run.log.addSnapshot(run.engine.snapshot());
   } else if (command.kind == Command::Kind::set_parameter) {
     const Status status = run.engine.setParameter(command.key, command.value);
-    if (!status.ok()) run.log.addNote({run.engine.nextFrame(), EventKind::warning, status.error().message()});
+    if (!status.ok())
+      run.log.addNote({run.engine.nextFrame(), EventKind::warning, status.error().message()});
     run.log.parameters(listParameters(run.engine.parameters()), run.engine.nextFrame());
   }
 }

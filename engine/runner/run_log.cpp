@@ -59,8 +59,9 @@ SnapshotPtr RunLog::latest() const {
 
 SnapshotPtr RunLog::at(int frame_index) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto it = std::lower_bound(history_.begin(), history_.end(), frame_index,
-                                   [](const SnapshotPtr& s, int index) { return s->record.index < index; });
+  const auto it =
+      std::lower_bound(history_.begin(), history_.end(), frame_index,
+                       [](const SnapshotPtr& s, int index) { return s->record.index < index; });
   return it != history_.end() && (*it)->record.index == frame_index ? *it : nullptr;
 }
 

@@ -12,7 +12,7 @@ namespace svoscope {
 namespace {
 
 constexpr int kReferenceSize = 24;
-constexpr double kDistinctPx = 3;   // of the search level, between best and second
+constexpr double kDistinctPx = 3;  // of the search level, between best and second
 
 const KeyframeView* findKeyframe(const Snapshot* snapshot, int id) {
   if (!snapshot || !snapshot->keyframes) return nullptr;
@@ -22,8 +22,9 @@ const KeyframeView* findKeyframe(const Snapshot* snapshot, int id) {
   return nullptr;
 }
 
-EpipolarQuery queryOf(const SeedView& seed, const SeedUpdateView& update, const KeyframeView& keyframe,
-                      const Snapshot& searched, const RunInfo& info, FilterRule rule) {
+EpipolarQuery queryOf(const SeedView& seed, const SeedUpdateView& update,
+                      const KeyframeView& keyframe, const Snapshot& searched, const RunInfo& info,
+                      FilterRule rule) {
   EpipolarQuery q;
   q.ref = keyframe.pyramid.get();
   q.cur = searched.pyramid.get();
@@ -46,14 +47,16 @@ cv::Mat cutPatch(const Pyramid& pyramid, const Vec2& px, int level, int size) {
   const Vec2 at = toLevel(px, level);
   cv::Mat patch;
   cv::getRectSubPix(image, cv::Size(size, size),
-                    cv::Point2f(static_cast<float>(at.x() - 0.5), static_cast<float>(at.y() - 0.5)), patch);
+                    cv::Point2f(static_cast<float>(at.x() - 0.5), static_cast<float>(at.y() - 0.5)),
+                    patch);
   return patch;
 }
 
 cv::Mat imageOf(const WarpedPatch& patch) {
   cv::Mat image(kPatchSize, kPatchSize, CV_8UC1);
   for (int i = 0; i < kPatchSize; ++i) {
-    for (int j = 0; j < kPatchSize; ++j) image.at<std::uint8_t>(i, j) = cv::saturate_cast<std::uint8_t>(patch.inner(i, j));
+    for (int j = 0; j < kPatchSize; ++j)
+      image.at<std::uint8_t>(i, j) = cv::saturate_cast<std::uint8_t>(patch.inner(i, j));
   }
   return image;
 }
@@ -63,7 +66,8 @@ void markBest(SearchDetail& detail) {
   const auto bestOf = [&](const auto& allowed) {
     int best = -1;
     for (std::size_t i = 0; i < profile.size(); ++i) {
-      if (allowed(profile[i]) && (best < 0 || profile[i].score < profile[static_cast<std::size_t>(best)].score))
+      if (allowed(profile[i]) &&
+          (best < 0 || profile[i].score < profile[static_cast<std::size_t>(best)].score))
         best = static_cast<int>(i);
     }
     return best;
@@ -78,16 +82,20 @@ void markBest(SearchDetail& detail) {
 }  // namespace
 
 Result<SearchDetail> explainSearch(const SeedView& seed, const SeedUpdateView& update,
-                                   const Snapshot& searched, const RunInfo& info, const Snapshot* later) {
+                                   const Snapshot& searched, const RunInfo& info,
+                                   const Snapshot* later) {
   const std::string where = "seed " + std::to_string(seed.id);
   const KeyframeView* keyframe = findKeyframe(&searched, seed.keyframe_id);
   if (!keyframe) keyframe = findKeyframe(later, seed.keyframe_id);
-  if (!keyframe) return inputError("the image of its keyframe is no longer held", where, "choose a later update");
+  if (!keyframe)
+    return inputError("the image of its keyframe is no longer held", where,
+                      "choose a later update");
   if (!searched.pyramid || searched.pyramid->empty())
     return inputError("the searched image is no longer held", where, "choose a later update");
   const MappingParameters p = searched.mapping ? *searched.mapping : MappingParameters();
   const EpipolarQuery q = queryOf(seed, update, *keyframe, searched, info, p.filter.rule);
-  if (seed.level >= q.ref->size()) return inputError("its pyramid level is not held", where, "choose another seed");
+  if (seed.level >= q.ref->size())
+    return inputError("its pyramid level is not held", where, "choose another seed");
 
   SearchDetail detail;
   detail.outcome = update.outcome;
@@ -101,7 +109,8 @@ Result<SearchDetail> explainSearch(const SeedView& seed, const SeedUpdateView& u
   detail.patch_warped = imageOf(setup.patch);
   if (setup.length_px >= p.search.short_line_px) {
     for (const ProfileSample& s : scoreProfile(q, p.search))
-      detail.profile.push_back({s.px.cast<float>(), static_cast<float>(s.inv_distance), static_cast<float>(s.score)});
+      detail.profile.push_back(
+          {s.px.cast<float>(), static_cast<float>(s.inv_distance), static_cast<float>(s.score)});
   }
   markBest(detail);
   if (update.outcome == SearchOutcome::matched || update.outcome == SearchOutcome::tracked) {

@@ -9,7 +9,8 @@ namespace svoscope {
 namespace {
 
 float trueInverseDistance(const cv::Mat& depth, const SegmentAnchor& anchor) {
-  const int x = static_cast<int>(std::lround(anchor.px[0].x())), y = static_cast<int>(std::lround(anchor.px[0].y()));
+  const int x = static_cast<int>(std::lround(anchor.px[0].x())),
+            y = static_cast<int>(std::lround(anchor.px[0].y()));
   if (depth.empty() || x < 0 || y < 0 || x >= depth.cols || y >= depth.rows) return 0;
   const float z = depth.at<float>(y, x);
   return z > 0 ? static_cast<float>(anchor.f[0].z()) / z : 0;
@@ -32,7 +33,8 @@ FeatureView segmentFeatureView(const TrackedSegment& s, const Tracker& tracker) 
   if (aligned && p.z() > 1e-6) v.predicted_px = tracker.map().camera.project(p).cast<float>();
   const Vec2f along = v.px_end - v.px;
   v.direction = std::atan2(along.x(), -along.y());
-  v.depth = static_cast<float>((tracker.frame().T_cam_world * s.pointAt(0.5 * (s.t[0] + s.t[1]))).z());
+  v.depth =
+      static_cast<float>((tracker.frame().T_cam_world * s.pointAt(0.5 * (s.t[0] + s.t[1]))).z());
   v.residual_px = static_cast<float>(s.error_px);
   v.reference_keyframe = s.keyframe_id;
   const auto it = tracker.map().segments.find(s.id);

@@ -77,10 +77,12 @@ SeedView seedState(const Seed& seed, FilterRule rule) {
   return v;
 }
 
-SeedView seedView(const Seed& seed, const Tracker& tracker, const SeedPlacement& placement, const cv::Mat& depth) {
+SeedView seedView(const Seed& seed, const Tracker& tracker, const SeedPlacement& placement,
+                  const cv::Mat& depth) {
   SeedView v = seedState(seed, tracker.parameters().mapping.filter.rule);
   placeSeed(v, placement);
-  const int x = static_cast<int>(std::lround(seed.anchor.px.x())), y = static_cast<int>(std::lround(seed.anchor.px.y()));
+  const int x = static_cast<int>(std::lround(seed.anchor.px.x())),
+            y = static_cast<int>(std::lround(seed.anchor.px.y()));
   if (!depth.empty() && x >= 0 && y >= 0 && x < depth.cols && y < depth.rows) {
     // Depth images hold z; seeds measure along the ray.
     const float true_z = depth.at<float>(y, x);
@@ -122,7 +124,8 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
   auto views = std::make_shared<std::vector<SeedView>>();
   const auto& keyframes = tracker.map().keyframes;
   std::size_t count = tracker.map().orphans.size() + tracker.map().segment_orphans.size();
-  for (const auto& [id, keyframe] : keyframes) count += keyframe.seeds.size() + keyframe.segment_seeds.size();
+  for (const auto& [id, keyframe] : keyframes)
+    count += keyframe.seeds.size() + keyframe.segment_seeds.size();
   views->reserve(count);
   const SE3 T_cam_world = tracker.record().T_world_cam.inverse();
   const double sigmas = tracker.parameters().mapping.search.search_sigmas;
@@ -135,28 +138,34 @@ std::shared_ptr<const std::vector<SeedView>> SnapshotBuilder::seedViews(const Tr
     if (keyframe.seeds.empty() && keyframe.segment_seeds.empty()) continue;
     const SeedPlacement placement = placed(keyframe.T_cam_world.inverse());
     const cv::Mat& depth = depthOf(keyframe);
-    for (const Seed& seed : keyframe.seeds) views->push_back(seedView(seed, tracker, placement, depth));
+    for (const Seed& seed : keyframe.seeds)
+      views->push_back(seedView(seed, tracker, placement, depth));
     for (const SegmentSeed& seed : keyframe.segment_seeds)
       views->push_back(segmentSeedView(seed, tracker, placement, depth));
   }
   for (const OrphanSeed& orphan : tracker.map().orphans)
-    views->push_back(seedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
+    views->push_back(
+        seedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
   for (const OrphanSegmentSeed& orphan : tracker.map().segment_orphans)
-    views->push_back(segmentSeedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
+    views->push_back(
+        segmentSeedView(orphan.seed, tracker, placed(orphan.T_cam_world.inverse()), cv::Mat()));
   return views;
 }
 
-std::shared_ptr<const std::vector<KeyframeView>> SnapshotBuilder::keyframeViews(const Tracker& tracker) {
+std::shared_ptr<const std::vector<KeyframeView>> SnapshotBuilder::keyframeViews(
+    const Tracker& tracker) {
   auto views = std::make_shared<std::vector<KeyframeView>>();
   for (const RetiredKeyframe& k : tracker.map().retired)
     views->push_back({k.id, k.frame_index, k.T_world_cam, nullptr, false});
   for (const auto& [id, keyframe] : tracker.map().keyframes)
-    views->push_back({id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid, true});
+    views->push_back(
+        {id, keyframe.frame_index, keyframe.T_cam_world.inverse(), keyframe.pyramid, true});
   std::sort(views->begin(), views->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return views;
 }
 
-std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(const Tracker& tracker) {
+std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(
+    const Tracker& tracker) {
   auto views = std::make_shared<std::vector<MapPointView>>();
   views->reserve(tracker.map().landmarks.size());
   for (const auto& [id, landmark] : tracker.map().landmarks) {
@@ -166,10 +175,12 @@ std::shared_ptr<const std::vector<MapPointView>> SnapshotBuilder::pointViews(con
     v.type = landmark.type;
     v.sigma = static_cast<float>(landmark.sigma);
     v.observations = static_cast<int>(landmark.observations.size());
-    v.reference_keyframe = landmark.observations.empty() ? -1 : landmark.observations.front().keyframe_id;
+    v.reference_keyframe =
+        landmark.observations.empty() ? -1 : landmark.observations.front().keyframe_id;
     views->push_back(v);
   }
-  for (const auto& [id, segment] : tracker.map().segments) views->push_back(segmentPointView(segment));
+  for (const auto& [id, segment] : tracker.map().segments)
+    views->push_back(segmentPointView(segment));
   std::sort(views->begin(), views->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return views;
 }
@@ -193,20 +204,25 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->pyramid = tracker.frame().pyramid;
   s->events = tracker.events();
   s->features.reserve(tracker.frame().features.size() + tracker.failedFeatures().size());
-  for (const TrackedFeature& f : tracker.frame().features) s->features.push_back(featureView(f, tracker));
-  for (const TrackedFeature& f : tracker.failedFeatures()) s->features.push_back(featureView(f, tracker));
-  for (const TrackedSegment& f : tracker.frame().segments) s->features.push_back(segmentFeatureView(f, tracker));
-  for (const TrackedSegment& f : tracker.failedSegments()) s->features.push_back(segmentFeatureView(f, tracker));
+  for (const TrackedFeature& f : tracker.frame().features)
+    s->features.push_back(featureView(f, tracker));
+  for (const TrackedFeature& f : tracker.failedFeatures())
+    s->features.push_back(featureView(f, tracker));
+  for (const TrackedSegment& f : tracker.frame().segments)
+    s->features.push_back(segmentFeatureView(f, tracker));
+  for (const TrackedSegment& f : tracker.failedSegments())
+    s->features.push_back(segmentFeatureView(f, tracker));
   if (tracker.record().state == TrackingState::initializing) {
-    for (const InitializerTrack& t : tracker.startOutput().tracks) s->features.push_back(trackView(t));
+    for (const InitializerTrack& t : tracker.startOutput().tracks)
+      s->features.push_back(trackView(t));
   }
   s->seeds = seedViews(tracker);
   s->seed_updates = std::make_shared<const std::vector<SeedUpdateView>>(tracker.takeSeedUpdates());
   s->mapping = mappingOf(tracker);
-  s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) + s->seeds->size() * sizeof(SeedView) +
-             s->seed_updates->size() * sizeof(SeedUpdateView);
-  // Points move a little in every frame; they are shown anew with the keyframes, when one was added,
-  // removed or adjusted.
+  s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) +
+             s->seeds->size() * sizeof(SeedView) + s->seed_updates->size() * sizeof(SeedUpdateView);
+  // Points move a little in every frame; they are shown anew with the keyframes, when one was
+  // added, removed or adjusted.
   if (!keyframes_ || tracker.record().is_keyframe || moved(*keyframes_, tracker.map())) {
     keyframes_ = keyframeViews(tracker);
     points_ = pointViews(tracker);

@@ -18,7 +18,8 @@ SyncRunner::SyncRunner(std::unique_ptr<Sequence> sequence, const RunnerOptions& 
 void SyncRunner::processFrame() {
   Stopwatch watch;
   engine_.step();
-  if (const auto job = engine_.takeMappingJob()) engine_.applyMapping(runMappingJob(*job, engine_.mappingParameters()));
+  if (const auto job = engine_.takeMappingJob())
+    engine_.applyMapping(runMappingJob(*job, engine_.mappingParameters()));
   publishFrame(parts());
   rate_.add(watch.ms());
 }

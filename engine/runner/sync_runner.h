@@ -22,7 +22,9 @@ class SyncRunner : public Runner {
   SnapshotPtr at(int frame_index) const override { return log_.at(frame_index); }
   std::vector<FrameRecord> records(int first) const override { return log_.records(first); }
   std::vector<Event> events(int first) const override { return log_.events(first); }
-  std::vector<ParameterView> parameters() const override { return listParameters(engine_.parameters()); }
+  std::vector<ParameterView> parameters() const override {
+    return listParameters(engine_.parameters());
+  }
   int generation() const override { return log_.generation(); }
 
  private:

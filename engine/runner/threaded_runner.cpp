@@ -114,7 +114,8 @@ void ThreadedRunner::processFrame() {
     if (playback_.speed() <= 0) {
       tasks_.waitBelow(kMostWaiting);
     } else if (tasks_.size() >= kMostWaiting) {
-      tasks_.filter([](const Task& t) { return t.job.new_seeds.wanted || !t.job.adjustment.empty(); });
+      tasks_.filter(
+          [](const Task& t) { return t.job.new_seeds.wanted || !t.job.adjustment.empty(); });
     }
     tasks_.push({std::move(*job), engine_.mappingParameters(), map_generation_});
   }

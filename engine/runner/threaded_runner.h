@@ -44,7 +44,7 @@ class ThreadedRunner : public Runner {
 
   void trackingLoop();
   void mappingLoop();
-  bool takeCommands();      ///< waits while there is nothing to do; false: stop
+  bool takeCommands();  ///< waits while there is nothing to do; false: stop
   void handle(const Command& command);
   void processFrame();
   void applyAnswers();
@@ -52,8 +52,8 @@ class ThreadedRunner : public Runner {
   void publishStatus();
   RunParts parts() { return {engine_, playback_, log_, publish_}; }  ///< tracking thread only
 
-  Engine engine_;           ///< tracking thread only
-  Playback playback_;       ///< tracking thread only
+  Engine engine_;      ///< tracking thread only
+  Playback playback_;  ///< tracking thread only
   const RunInfo info_;
   RunLog log_;
   const bool publish_;
@@ -62,14 +62,14 @@ class ThreadedRunner : public Runner {
   BlockingQueue<Task> tasks_;
   BlockingQueue<Answer> answers_;
 
-  mutable std::mutex mutex_;             ///< guards the members below
+  mutable std::mutex mutex_;  ///< guards the members below
   std::condition_variable wake_;
   std::deque<Command> commands_;
   bool stop_ = false;
   RunnerStatus status_;
   std::vector<ParameterView> parameter_views_;
 
-  FrameRate rate_;          ///< tracking thread only
+  FrameRate rate_;  ///< tracking thread only
   std::chrono::steady_clock::time_point next_frame_time_{};
   std::thread tracking_, mapping_;
 };

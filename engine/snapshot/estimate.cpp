@@ -32,7 +32,9 @@ int mainMap(const std::vector<FrameRecord>& records) {
   return best;
 }
 
-int mapCount(const std::vector<FrameRecord>& records) { return static_cast<int>(posesByMap(records).size()); }
+int mapCount(const std::vector<FrameRecord>& records) {
+  return static_cast<int>(posesByMap(records).size());
+}
 
 Trajectory estimateOf(const std::vector<FrameRecord>& records) {
   const int map_id = mainMap(records);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The trajectory of a run. A map that is given up takes its frame of reference and its scale with it: poses
-// of different maps do not belong into one trajectory.
+// The trajectory of a run. A map that is given up takes its frame of reference and its scale with
+// it: poses of different maps do not belong into one trajectory.
 #pragma once
 
 #include <vector>

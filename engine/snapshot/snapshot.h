@@ -25,35 +25,36 @@ enum class FeatureStatus : std::uint8_t {
   inlier,
   outlier,      ///< aligned, but rejected by pose refinement
   not_aligned,  ///< projected into the image, alignment failed
-  followed,     ///< segments: aligned and near its line, kept out of the pose as its depth is in doubt
+  followed,  ///< segments: aligned and near its line, kept out of the pose as its depth is in doubt
 };
 
 /// One feature of the current frame. Pixels are of the rectified image at level 0.
 struct FeatureView {
-  std::int64_t id = -1;      ///< landmark id or seed id (origin says which); track id at the start
+  std::int64_t id = -1;  ///< landmark id or seed id (origin says which); track id at the start
   FeatureType type = FeatureType::corner;
   FeatureOrigin origin = FeatureOrigin::landmark;
   FeatureStatus status = FeatureStatus::inlier;
   std::uint8_t level = 0;    ///< pyramid level of the patch
-  Vec2f px = Vec2f::Zero();            ///< measured; for a track at the start: current position
-  Vec2f predicted_px = Vec2f::Zero();  ///< projected with the final pose; for a track: first position
-  Vec2f px_end = Vec2f::Zero();        ///< segments: the other end point
-  float direction = 0;       ///< edgelets: angle of the gradient, radians
-  float depth = 0;           ///< z in the camera, map scale
-  float residual_px = 0;     ///< reprojection error at level 0
-  int observations = 0;      ///< keyframes that see the landmark; updates of the seed
+  Vec2f px = Vec2f::Zero();  ///< measured; for a track at the start: current position
+  Vec2f predicted_px =
+      Vec2f::Zero();             ///< projected with the final pose; for a track: first position
+  Vec2f px_end = Vec2f::Zero();  ///< segments: the other end point
+  float direction = 0;           ///< edgelets: angle of the gradient, radians
+  float depth = 0;               ///< z in the camera, map scale
+  float residual_px = 0;         ///< reprojection error at level 0
+  int observations = 0;          ///< keyframes that see the landmark; updates of the seed
   int reference_keyframe = -1;
 };
 
 enum class SeedStatus : std::uint8_t { active, converged, rejected, promoted };
 enum class SearchOutcome : std::uint8_t {
-  none,             ///< not searched in this frame
+  none,  ///< not searched in this frame
   matched,
-  no_match,         ///< best score above the limit, or sub-pixel alignment diverged
+  no_match,  ///< best score above the limit, or sub-pixel alignment diverged
   out_of_view,
   low_parallax,
-  edge_parallel,    ///< gradient nearly perpendicular to the epipolar line
-  tracked,          ///< measured by the tracker itself
+  edge_parallel,  ///< gradient nearly perpendicular to the epipolar line
+  tracked,        ///< measured by the tracker itself
 };
 /// Why a seed is no longer measured.
 enum class SeedEnding : std::uint8_t {
@@ -69,8 +70,8 @@ const char* seedEndingName(SeedEnding ending);
 const char* searchOutcomeName(SearchOutcome outcome);
 const char* seedStatusName(SeedStatus status);
 
-/// The state of one rule of the depth filter. Inverse distance in 1/map unit. sigma == 0: this rule was
-/// not computed (shadow filter off).
+/// The state of one rule of the depth filter. Inverse distance in 1/map unit. sigma == 0: this rule
+/// was not computed (shadow filter off).
 struct BeliefView {
   float mu = 0, sigma = 0;
   float a = 10, b = 10;
@@ -80,16 +81,16 @@ struct BeliefView {
 struct SeedUpdateView {
   std::int64_t seed_id = -1;
   int keyframe_id = -1;
-  int frame_index = -1;           ///< frame that was searched; older than its keyframe for new seeds
+  int frame_index = -1;  ///< frame that was searched; older than its keyframe for new seeds
   SearchOutcome outcome = SearchOutcome::none;
-  Vec2f px = Vec2f::Zero();       ///< match in that frame, level 0; if matched or tracked
-  float score = 0;                ///< zero-mean SSD per pixel of the best sample; 0: no scan
-  float x = 0, tau = 0;           ///< measured inverse distance and its sigma, 1/map unit
+  Vec2f px = Vec2f::Zero();  ///< match in that frame, level 0; if matched or tracked
+  float score = 0;           ///< zero-mean SSD per pixel of the best sample; 0: no scan
+  float x = 0, tau = 0;      ///< measured inverse distance and its sigma, 1/map unit
   BeliefView kl_before, kl_after, js_before, js_after;
   float kl_belief_measurement = 0;  ///< KL(belief || measurement), nats, of the rule in use
   float kl_measurement_belief = 0;  ///< KL(measurement || belief), nats
-  float jsd = 0;                  ///< Jensen-Shannon divergence, nats, 0 .. log 2
-  float affinity = 0;             ///< w of docs/method.md, 0 .. 1
+  float jsd = 0;                    ///< Jensen-Shannon divergence, nats, 0 .. log 2
+  float affinity = 0;               ///< w of docs/method.md, 0 .. 1
 };
 
 /// One seed after the frame: its belief over inverse depth (along the ray of unit length, 1/map
@@ -114,13 +115,14 @@ struct SeedView {
   Vec2f px = Vec2f::Zero();       ///< mean in the current image
   Vec2f px_near = Vec2f::Zero();  ///< mu + n sigma in the current image
   Vec2f px_far = Vec2f::Zero();   ///< mu - n sigma in the current image
-  Vec2f px_ref_end = Vec2f::Zero();  ///< segments: the other end point; mu and sigma above are of px_ref
-  float mu_end = 0, sigma_end = 0;   ///< segments: belief of the other end point; a and b are shared
-  Vec3f position = Vec3f::Zero(); ///< mean in the world
+  Vec2f px_ref_end =
+      Vec2f::Zero();  ///< segments: the other end point; mu and sigma above are of px_ref
+  float mu_end = 0, sigma_end = 0;  ///< segments: belief of the other end point; a and b are shared
+  Vec3f position = Vec3f::Zero();   ///< mean in the world
   Vec3f position_end = Vec3f::Zero();  ///< segments: the other end point
   Vec3f position_near = Vec3f::Zero(), position_far = Vec3f::Zero();  ///< ends of the span
-  float last_x = 0, last_tau = 0; ///< last measurement (inverse distance) and its sigma
-  float true_inv_distance = 0;    ///< from the sequence's depth, metres; 0 if unknown
+  float last_x = 0, last_tau = 0;  ///< last measurement (inverse distance) and its sigma
+  float true_inv_distance = 0;     ///< from the sequence's depth, metres; 0 if unknown
 };
 
 struct MappingParameters;
@@ -129,8 +131,9 @@ struct KeyframeView {
   int id = -1;
   int frame_index = -1;
   SE3 T_world_cam;
-  std::shared_ptr<const std::vector<cv::Mat>> pyramid;  ///< rectified, CV_8UC1; shared with its frame
-  bool in_map = true;   ///< false: removed from the map since, the pose is its last
+  std::shared_ptr<const std::vector<cv::Mat>>
+      pyramid;         ///< rectified, CV_8UC1; shared with its frame
+  bool in_map = true;  ///< false: removed from the map since, the pose is its last
 };
 
 struct MapPointView {
@@ -138,13 +141,21 @@ struct MapPointView {
   Vec3f position = Vec3f::Zero();
   Vec3f position_end = Vec3f::Zero();  ///< segments: the other end point
   FeatureType type = FeatureType::corner;
-  float sigma = 0;        ///< of inverse depth when promoted
+  float sigma = 0;  ///< of inverse depth when promoted
   int observations = 0;
   int reference_keyframe = -1;
 };
 
 enum class EventKind : std::uint8_t {
-  info, initialized, keyframe, lost, relocalized, warning, reset, finished, error
+  info,
+  initialized,
+  keyframe,
+  lost,
+  relocalized,
+  warning,
+  reset,
+  finished,
+  error
 };
 struct Event {
   int frame_index = -1;
@@ -165,7 +176,7 @@ struct Snapshot {
   std::shared_ptr<const MappingParameters> mapping;
   std::shared_ptr<const std::vector<KeyframeView>> keyframes;  ///< poses as of this frame
   std::shared_ptr<const std::vector<MapPointView>> points;
-  std::vector<Event> events;          ///< of this frame
+  std::vector<Event> events;  ///< of this frame
 
   /// Bytes held by this snapshot alone (shared parts counted where first shared).
   std::size_t bytes = 0;
@@ -174,13 +185,13 @@ using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
 /// What stays the same during a run.
 struct RunInfo {
-  std::string sequence;      ///< Sequence::name()
-  std::string method;        ///< "svo", "pl-svo", "it-svo"
+  std::string sequence;  ///< Sequence::name()
+  std::string method;    ///< "svo", "pl-svo", "it-svo"
   int frames = 0;
   double rate_hz = 0;
-  Pinhole camera;            ///< of the rectified images
-  Camera original_camera;    ///< as calibrated
-  Trajectory ground_truth;   ///< empty if unknown
+  Pinhole camera;           ///< of the rectified images
+  Camera original_camera;   ///< as calibrated
+  Trajectory ground_truth;  ///< empty if unknown
 };
 
 }  // namespace svoscope

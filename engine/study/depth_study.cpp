@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/study/depth_study_judge.h"
 #include "engine/frame/rectifier.h"
+#include "engine/study/depth_study_judge.h"
 
 namespace svoscope {
 
@@ -13,7 +13,7 @@ namespace {
 
 struct StudyKeyframe {
   JobKeyframe view;
-  std::vector<std::vector<StudySeed>> seeds;   // by rule, then the same order
+  std::vector<std::vector<StudySeed>> seeds;  // by rule, then the same order
 };
 
 /// Nearest true depth, if the surroundings lie on one surface.
@@ -33,7 +33,8 @@ std::optional<double> trueDepth(const cv::Mat& depth, const Vec2& px, double max
 
 class Study {
  public:
-  Study(Sequence& sequence, const DepthStudyOptions& o) : sequence_(sequence), o_(o), rectifier_(sequence.camera()) {
+  Study(Sequence& sequence, const DepthStudyOptions& o)
+      : sequence_(sequence), o_(o), rectifier_(sequence.camera()) {
     for (const StudyRule& rule : studyRules()) {
       MappingParameters p = o.mapping;
       p.filter.rule = rule.rule;
@@ -47,16 +48,22 @@ class Study {
   Result<DepthStudyResult> run() {
     result_.sequence = sequence_.name();
     result_.poses_from = o_.poses_from;
-    const int end = o_.max_frames < 0 ? sequence_.size() : std::min(sequence_.size(), o_.start + o_.max_frames);
+    const int end =
+        o_.max_frames < 0 ? sequence_.size() : std::min(sequence_.size(), o_.start + o_.max_frames);
     for (int i = o_.start; i < end; ++i) {
       frame(i);
       if (o_.progress && !o_.progress(i + 1 - o_.start, end - o_.start)) break;
     }
     retire(end + o_.max_age + 1);
-    if (result_.frames == 0) return inputError("no frame has a pose", result_.sequence, "use a sequence with ground truth");
-    if (finished_[0].empty()) return inputError("has no depth to hold the seeds against", result_.sequence, "use a sequence with depth images");
+    if (result_.frames == 0)
+      return inputError("no frame has a pose", result_.sequence,
+                        "use a sequence with ground truth");
+    if (finished_[0].empty())
+      return inputError("has no depth to hold the seeds against", result_.sequence,
+                        "use a sequence with depth images");
     for (std::size_t r = 0; r < finished_.size(); ++r)
-      result_.rows.push_back(judgeSeeds(studyRules()[r].name, finished_[r], parameters_[r].filter, o_));
+      result_.rows.push_back(
+          judgeSeeds(studyRules()[r].name, finished_[r], parameters_[r].filter, o_));
     return result_;
   }
 
@@ -67,7 +74,8 @@ class Study {
     const Result<SequenceImage> image = sequence_.read(index);
     if (!image.ok()) return;
     const cv::Mat gray = rectifier_.rectify(image.value().gray);
-    const JobKeyframe view{index, buildPyramid(gray, pyramidLevels(gray.cols)), o_.poses[at]->inverse(), index};
+    const JobKeyframe view{index, buildPyramid(gray, pyramidLevels(gray.cols)),
+                           o_.poses[at]->inverse(), index};
     ++result_.frames;
     retire(index);
     for (std::size_t rule = 0; rule < parameters_.size(); ++rule) measure(view, rule);
@@ -88,12 +96,14 @@ class Study {
       for (StudySeed& s : keyframe.seeds[rule]) {
         if (s.converged_after > 0 || s.seed.ending != SeedEnding::none) continue;
         const double sigma = std::sqrt(s.seed.belief.sigma2);
-        job.seeds.push_back({static_cast<std::int64_t>(targets.size()), slot, s.seed.anchor, s.seed.belief.mu, sigma});
+        job.seeds.push_back({static_cast<std::int64_t>(targets.size()), slot, s.seed.anchor,
+                             s.seed.belief.mu, sigma});
         targets.push_back(&s);
       }
     }
     const MappingResult found = runMappingJob(job, parameters_[rule]);
-    for (std::size_t i = 0; i < targets.size(); ++i) targets[i]->apply(found.measurements[i], parameters_[rule].filter);
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      targets[i]->apply(found.measurements[i], parameters_[rule].filter);
   }
 
   void addKeyframe(const JobKeyframe& view) {
@@ -101,7 +111,8 @@ class Study {
     if (!read.ok() || read.value().empty()) return;
     const cv::Mat depth = rectifier_.rectifyDepth(read.value());
     const Pinhole& camera = rectifier_.pinhole();
-    const OccupancyGrid empty(camera.width, camera.height, scaledCell(o_.mapping.detector.cell_px, camera.width));
+    const OccupancyGrid empty(camera.width, camera.height,
+                              scaledCell(o_.mapping.detector.cell_px, camera.width));
     std::vector<std::pair<DetectedFeature, double>> features;
     std::vector<double> depths;
     for (const DetectedFeature& f : detectFeatures(*view.pyramid, o_.mapping.detector, empty)) {
@@ -121,7 +132,8 @@ class Study {
         StudySeed s;
         s.seed = makeSeed(f, camera, median, near, p.filter);
         s.seed.has_shadow = false;
-        s.true_inverse = s.seed.anchor.f.z() / z;  // depth images hold z, seeds measure along the ray
+        s.true_inverse =
+            s.seed.anchor.f.z() / z;  // depth images hold z, seeds measure along the ray
         s.born = view.frame_index;
         keyframe.seeds.back().push_back(s);
       }
@@ -156,13 +168,14 @@ class Study {
 
 Status depthStudyPossible(Sequence& sequence) {
   if (sequence.groundTruth().empty())
-    return inputError("has no ground truth, which a depth study needs for the scale", sequence.name(),
-                      "use a sequence with ground truth and depth images");
+    return inputError("has no ground truth, which a depth study needs for the scale",
+                      sequence.name(), "use a sequence with ground truth and depth images");
   for (int i = 0; i < sequence.size(); ++i) {
     const Result<cv::Mat> depth = sequence.readDepth(i);
     if (depth.ok() && !depth.value().empty()) return Done{};
   }
-  return inputError("has no depth to hold the seeds against", sequence.name(), "use a sequence with depth images");
+  return inputError("has no depth to hold the seeds against", sequence.name(),
+                    "use a sequence with depth images");
 }
 
 Result<DepthStudyResult> runDepthStudy(Sequence& sequence, const DepthStudyOptions& options) {

@@ -21,7 +21,8 @@ double nees(const StudySeed& s) {
 std::vector<double> convergedByAge(const std::vector<StudySeed>& seeds, int max_age) {
   std::vector<double> share(static_cast<std::size_t>(max_age) + 1, 0.0);
   for (const StudySeed& s : seeds) {
-    if (s.converged_after > 0 && s.converged_age <= max_age) share[static_cast<std::size_t>(s.converged_age)] += 1;
+    if (s.converged_after > 0 && s.converged_age <= max_age)
+      share[static_cast<std::size_t>(s.converged_age)] += 1;
   }
   double sum = 0;
   for (double& v : share) {
@@ -49,7 +50,8 @@ void judgeAccepted(std::vector<double> accepted_nees, DepthStudyRow& row) {
   std::sort(row.errors.begin(), row.errors.end());
   std::sort(row.normalised_errors.begin(), row.normalised_errors.end());
   if (!accepted_nees.empty()) {
-    const auto inside = std::count_if(accepted_nees.begin(), accepted_nees.end(), [](double v) { return v < kChi2Of95; });
+    const auto inside = std::count_if(accepted_nees.begin(), accepted_nees.end(),
+                                      [](double v) { return v < kChi2Of95; });
     row.nees_inside_95 = static_cast<double>(inside) / static_cast<double>(accepted_nees.size());
   }
   row.median_nees = quantileOf(std::move(accepted_nees), 0.5);
@@ -71,7 +73,9 @@ void StudySeed::apply(const SeedMeasurement& m, const DepthFilterParameters& p) 
   const double off = m.x - true_inverse;
   measurement_nees.push_back(static_cast<float>(off * off / (m.tau * m.tau)));
   outliers += std::abs(off) > kOutlierTaus * m.tau && std::abs(off) > kOutlierError * true_inverse;
-  if (seed.ending != SeedEnding::none || std::sqrt(seed.belief.sigma2) >= seed.range * p.converged_fraction) return;
+  if (seed.ending != SeedEnding::none ||
+      std::sqrt(seed.belief.sigma2) >= seed.range * p.converged_fraction)
+    return;
   converged_after = seed.updates;
   converged_age = m.frame_index - born;
 }

@@ -18,15 +18,15 @@ const std::vector<StudyRule>& studyRules();
 
 struct StudySeed {
   Seed seed;
-  double true_inverse = 1;      ///< along the ray, 1/m
-  int born = 0;                 ///< frame of its keyframe
-  int converged_after = 0;      ///< measurements; 0: not converged
-  int converged_age = 0;        ///< frames
+  double true_inverse = 1;  ///< along the ray, 1/m
+  int born = 0;             ///< frame of its keyframe
+  int converged_after = 0;  ///< measurements; 0: not converged
+  int converged_age = 0;    ///< frames
   int outliers = 0;
   std::vector<float> measurement_nees;
 
-  /// As in the engine, but a seed is done when its sigma is small, whatever its inlier ratio: the gate
-  /// on the ratio is swept afterwards.
+  /// As in the engine, but a seed is done when its sigma is small, whatever its inlier ratio: the
+  /// gate on the ratio is swept afterwards.
   void apply(const SeedMeasurement& m, const DepthFilterParameters& p);
 };
 

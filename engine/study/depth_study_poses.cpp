@@ -2,9 +2,9 @@
 // Camera poses in metres for the depth study.
 #include <algorithm>
 
-#include "engine/study/depth_study.h"
 #include "engine/eval/evaluate.h"
 #include "engine/snapshot/estimate.h"
+#include "engine/study/depth_study.h"
 
 namespace svoscope {
 
@@ -14,8 +14,9 @@ std::vector<std::optional<SE3>> groundTruthPoses(const Sequence& sequence, doubl
   constexpr double kSame = 1e-4;  // s: stamps written with four decimals
   for (int i = 0; i < sequence.size() && !truth.empty(); ++i) {
     const double t = sequence.timestamp(i);
-    const auto after = std::lower_bound(truth.begin(), truth.end(), t,
-                                        [](const StampedPose& p, double time) { return p.timestamp < time; });
+    const auto after =
+        std::lower_bound(truth.begin(), truth.end(), t,
+                         [](const StampedPose& p, double time) { return p.timestamp < time; });
     std::optional<SE3>& pose = poses[static_cast<std::size_t>(i)];
     if (after != truth.end() && after->timestamp - t < kSame) {
       pose = after->T_world_cam;
@@ -27,14 +28,16 @@ std::vector<std::optional<SE3>> groundTruthPoses(const Sequence& sequence, doubl
       const double gap = b.timestamp - a.timestamp;
       if (gap > max_gap) continue;
       const double part = (t - a.timestamp) / gap;
-      pose = SE3(a.T_world_cam.quaternion().slerp(part, b.T_world_cam.quaternion()),
-                 Vec3((1 - part) * a.T_world_cam.translation() + part * b.T_world_cam.translation()));
+      pose =
+          SE3(a.T_world_cam.quaternion().slerp(part, b.T_world_cam.quaternion()),
+              Vec3((1 - part) * a.T_world_cam.translation() + part * b.T_world_cam.translation()));
     }
   }
   return poses;
 }
 
-Result<std::vector<std::optional<SE3>>> alignedPoses(const Sequence& sequence, const std::vector<FrameRecord>& records) {
+Result<std::vector<std::optional<SE3>>> alignedPoses(const Sequence& sequence,
+                                                     const std::vector<FrameRecord>& records) {
   const int map_id = mainMap(records);
   const Trajectory estimate = estimateOf(records);
   const auto aligned = evaluate(sequence.groundTruth(), estimate);

@@ -26,7 +26,8 @@ std::vector<GatePoint> sweepGate(const std::vector<SeedVerdict>& seeds) {
       right += converged[i]->right;
     }
     if (right == right_before) continue;
-    points.push_back({gate, static_cast<double>(right) / possible, 1 - static_cast<double>(right) / accepted});
+    points.push_back(
+        {gate, static_cast<double>(right) / possible, 1 - static_cast<double>(right) / accepted});
   }
   return points;
 }

@@ -11,9 +11,9 @@ namespace svoscope {
 
 namespace {
 
-constexpr int kBaselineFrames = 40;        // the baseline grows for so many frames
+constexpr int kBaselineFrames = 40;  // the baseline grows for so many frames
 constexpr double kLeastInverseDepth = 1e-3;
-constexpr double kMissedSilent = 0.7;      // a truth outside the window gives no match so often
+constexpr double kMissedSilent = 0.7;  // a truth outside the window gives no match so often
 
 struct Rule {
   const char* name;
@@ -29,7 +29,7 @@ struct SimulatedSeed {
   double depth = 1;
   bool hopeless = false;
   Belief belief;
-  int converged_at = 0;   // 0: not yet
+  int converged_at = 0;  // 0: not yet
 
   double error() const { return belief.mu - 1 / depth; }
   double relativeError() const { return std::abs(1 / belief.mu - depth) / depth; }
@@ -37,7 +37,8 @@ struct SimulatedSeed {
 
 class Simulation {
  public:
-  Simulation(const LabOptions& o, const Rule& rule) : o_(o), rule_(rule), random_(o.random_seed), range_(1 / o.min_depth_m) {
+  Simulation(const LabOptions& o, const Rule& rule)
+      : o_(o), rule_(rule), random_(o.random_seed), range_(1 / o.min_depth_m) {
     seeds_.resize(static_cast<std::size_t>(o.seeds));
     for (SimulatedSeed& s : seeds_) {
       s.depth = o.min_depth_m + (2 * o.mean_depth_m - 2 * o.min_depth_m) * uniform_(random_);
@@ -61,10 +62,12 @@ class Simulation {
   /// All random numbers are drawn whatever happens, so that every rule sees the same ones.
   void measure(SimulatedSeed& s, int t) {
     const double tau = 1 / (o_.focal_px * o_.step_m * std::min(t, kBaselineFrames));
-    const double gauss = normal_(random_), out_draw = uniform_(random_), place = uniform_(random_), silent = uniform_(random_);
+    const double gauss = normal_(random_), out_draw = uniform_(random_), place = uniform_(random_),
+                 silent = uniform_(random_);
     if (s.converged_at > 0) return;
     const double half = std::max(o_.search_sigmas * std::sqrt(s.belief.sigma2), 2 * tau);
-    const double low = std::max(s.belief.mu - half, kLeastInverseDepth), high = std::max(s.belief.mu + half, low);
+    const double low = std::max(s.belief.mu - half, kLeastInverseDepth),
+                 high = std::max(s.belief.mu + half, low);
     const bool outlier = out_draw < o_.outliers;
     const bool missed = !outlier && !s.hopeless && (1 / s.depth < low || 1 / s.depth > high);
     if (missed && silent < kMissedSilent) {
@@ -87,7 +90,8 @@ class Simulation {
       converged += s.converged_at > 0;
     }
     const double n = std::max<double>(1, static_cast<double>(errors.size()));
-    return {t, quantileOf(std::move(errors), 0.5).value_or(0), quantileOf(std::move(sigmas), 0.5).value_or(0), converged / n};
+    return {t, quantileOf(std::move(errors), 0.5).value_or(0),
+            quantileOf(std::move(sigmas), 0.5).value_or(0), converged / n};
   }
 
   void judge(LabRow& row) const {
@@ -139,8 +143,10 @@ std::string LabOptions::check() const {
   if (!(search_sigmas > 0 && search_sigmas <= 100)) return "search sigmas: above 0, up to 100";
   if (!(step_m > 0 && step_m <= 100)) return "baseline step: above 0, up to 100 m";
   if (!(focal_px > 0 && focal_px <= 1e6)) return "focal length: above 0, up to 1000000 px";
-  if (!(min_depth_m > 0 && mean_depth_m >= min_depth_m && mean_depth_m < 1e6)) return "depths: 0 < min <= mean";
-  if (!(converged_fraction > 0 && converged_fraction < 1)) return "converged fraction: between 0 and 1";
+  if (!(min_depth_m > 0 && mean_depth_m >= min_depth_m && mean_depth_m < 1e6))
+    return "depths: 0 < min <= mean";
+  if (!(converged_fraction > 0 && converged_fraction < 1))
+    return "converged fraction: between 0 and 1";
   if (!(right_error > 0)) return "right error: above 0";
   return {};
 }
@@ -156,7 +162,8 @@ LabResult runLab(const LabOptions& options) {
 LabPair comparePair(double mean_p, double sigma_p, double mean_q, double sigma_q) {
   const double vp = sigma_p * sigma_p, vq = sigma_q * sigma_q;
   const Agreement a = agreement(mean_p, vp, mean_q, vq);
-  return {klGaussian(mean_p, vp, mean_q, vq), klGaussian(mean_q, vq, mean_p, vp), a.jsd, a.affinity};
+  return {klGaussian(mean_p, vp, mean_q, vq), klGaussian(mean_q, vq, mean_p, vp), a.jsd,
+          a.affinity};
 }
 
 }  // namespace svoscope

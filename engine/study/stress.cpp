@@ -6,8 +6,8 @@
 #include "engine/dataset/synthetic/spec.h"
 #include "engine/eval/evaluate.h"
 #include "engine/runner/make_runner.h"
-#include "engine/study/kept_sequence.h"
 #include "engine/snapshot/estimate.h"
+#include "engine/study/kept_sequence.h"
 
 namespace svoscope {
 

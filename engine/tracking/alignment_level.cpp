@@ -130,7 +130,8 @@ AlignmentNormal LevelAligner::linearize(const AlignmentState& state) const {
   float b[kAlignmentParameters] = {};
   visit(state, [&](const LevelPatch& p, const float* r, float squared) {
     // Cauchy weight per patch: an occluded patch loses all its pixels at once.
-    const float w = 1.0f / (1.0f + squared / (kAlignmentArea * static_cast<float>(scale_ * scale_)));
+    const float w =
+        1.0f / (1.0f + squared / (kAlignmentArea * static_cast<float>(scale_ * scale_)));
     for (int a = 0; a < kAlignmentParameters; ++a) {
       float sum = 0;
       for (int k = 0; k < kAlignmentArea; ++k) sum += p.jacobian[a][k] * r[k];

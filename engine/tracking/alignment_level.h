@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One pyramid level of sparse image alignment: patches of the reference image, and the normal equations
-// of their photometric error in the current one (inverse compositional). Used by sparse_alignment.cpp.
+// One pyramid level of sparse image alignment: patches of the reference image, and the normal
+// equations of their photometric error in the current one (inverse compositional). Used by
+// sparse_alignment.cpp.
 #pragma once
 
 #include <vector>
@@ -50,7 +51,8 @@ class LevelAligner {
   double motionPx(const Vec8& step) const;
 
  private:
-  /// Calls f(patch, residuals, their squared sum) for every patch that lies inside the current image.
+  /// Calls f(patch, residuals, their squared sum) for every patch that lies inside the current
+  /// image.
   template <typename Visit>
   void visit(const AlignmentState& state, const Visit& f) const;
 

@@ -27,8 +27,8 @@ void fillSuccess(const InitializerReference& reference, const StartSolution& sol
   out.reference_pyramid = reference.pyramid();
   out.poses.push_back({reference.index(), reference.timestamp(), SE3()});
   for (std::size_t k = 0; k < reference.frames().size(); ++k)
-    out.poses.push_back({reference.frames()[k].index, reference.frames()[k].timestamp,
-                         solution.T_frame_ref[k]});
+    out.poses.push_back(
+        {reference.frames()[k].index, reference.frames()[k].timestamp, solution.T_frame_ref[k]});
   for (const StartPoint& point : solution.points) {
     if (!(point.inv_depth > 1e-3)) continue;  // as good as infinitely far: no point to hold on to
     const StartTrack& track = reference.tracks()[point.track];
@@ -143,7 +143,7 @@ void Initializer::fillTracks(InitializerOutput& out) const {
     out.reason = formatLine("%d features < %d", shown.alive(), parameters_.min_tracks);
   else
     out.reason = formatLine("%d tracks, median disparity %.1f px < %.1f px", shown.alive(),
-                        shown.disparity(), parameters_.min_disparity_px);
+                            shown.disparity(), parameters_.min_disparity_px);
 }
 
 }  // namespace svoscope

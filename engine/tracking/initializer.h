@@ -35,8 +35,8 @@ struct InitializerTrack {
 
 /// A point of the first map. Depths are in units of the median depth in the reference frame.
 struct InitializerPoint {
-  Vec2 px_ref = Vec2::Zero();        ///< level 0, reference frame
-  Vec2 px_cur = Vec2::Zero();        ///< level 0, current frame: measured (edgelets: projected)
+  Vec2 px_ref = Vec2::Zero();  ///< level 0, reference frame
+  Vec2 px_cur = Vec2::Zero();  ///< level 0, current frame: measured (edgelets: projected)
   int level = 0;
   FeatureType type = FeatureType::corner;
   Vec2 gradient_dir = Vec2::Zero();  ///< unit vector in the reference image; zero for corners
@@ -55,15 +55,15 @@ struct InitializerOutput {
   bool initialized = false;
   TwoViewVerdict verdict = TwoViewVerdict::too_few_tracks;
   TwoViewModel model = TwoViewModel::none;
-  std::string reason;                ///< one line: what is waited for, or what was found
-  int reference_index = -1;          ///< frame the tracks below start in
+  std::string reason;        ///< one line: what is waited for, or what was found
+  int reference_index = -1;  ///< frame the tracks below start in
   std::vector<InitializerTrack> tracks;
   int tracks_alive = 0;
-  double disparity_px = 0;           ///< median over tracks
+  double disparity_px = 0;  ///< median over tracks
   int inliers = 0;
-  double rms_px = 0;                 ///< over all frames used
-  double parallax_deg = 0;           ///< median of inliers, reference to current
-  double depth_sigma = 0;            ///< median relative uncertainty of the points' depths
+  double rms_px = 0;        ///< over all frames used
+  double parallax_deg = 0;  ///< median of inliers, reference to current
+  double depth_sigma = 0;   ///< median relative uncertainty of the points' depths
 
   // On success only.
   SE3 T_cur_ref;

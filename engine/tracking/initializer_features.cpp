@@ -13,8 +13,8 @@ constexpr int kBorder = 12;  // px of the level: the finest patch has to fit
 
 /// Best response of each cell of one level.
 struct CellMaps {
-  cv::Mat corner;     ///< CV_32F, smaller eigenvalue of the structure tensor
-  cv::Mat gx, gy;     ///< CV_32F, smoothed gradients, grey levels per px
+  cv::Mat corner;  ///< CV_32F, smaller eigenvalue of the structure tensor
+  cv::Mat gx, gy;  ///< CV_32F, smoothed gradients, grey levels per px
 };
 
 CellMaps responses(const cv::Mat& image) {
@@ -28,9 +28,7 @@ CellMaps responses(const cv::Mat& image) {
 }
 
 /// cornerMinEigenVal scales 8-bit images to [0, 1] and gradients by 2: back to grey levels per px.
-double cornerScore(float eigenvalue) {
-  return std::sqrt(std::max(0.0f, eigenvalue)) * 255.0 / 2.0;
-}
+double cornerScore(float eigenvalue) { return std::sqrt(std::max(0.0f, eigenvalue)) * 255.0 / 2.0; }
 
 cv::Rect cellRect(const cv::Mat& image, int row, int column, int cell) {
   const int x0 = std::max(kBorder, column * cell), y0 = std::max(kBorder, row * cell);

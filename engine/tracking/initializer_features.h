@@ -11,12 +11,12 @@
 namespace svoscope {
 
 struct StartFeature {
-  Vec2 px = Vec2::Zero();           ///< level 0
-  int level = 0;                    ///< pyramid level it was found at
+  Vec2 px = Vec2::Zero();  ///< level 0
+  int level = 0;           ///< pyramid level it was found at
   FeatureType type = FeatureType::corner;
-  double score = 0;                 ///< grey levels per px: gradient in the weaker direction
-                                    ///< (corner) or across the edge (edgelet)
-  Vec2 gradient_dir = Vec2::Zero(); ///< unit vector; of an edgelet across the edge
+  double score = 0;                  ///< grey levels per px: gradient in the weaker direction
+                                     ///< (corner) or across the edge (edgelet)
+  Vec2 gradient_dir = Vec2::Zero();  ///< unit vector; of an edgelet across the edge
 };
 
 /// One feature per cell. Thresholds are lowered and cells made smaller, in steps, while fewer

@@ -20,8 +20,8 @@ std::vector<int> chooseFrames(const InitializerReference& reference, int count) 
     const double wanted = frames.back().disparity_px * n / count;
     int best = -1;
     for (int k = 0; k < last; ++k)
-      if (best < 0 || std::abs(frames[k].disparity_px - wanted) <
-                          std::abs(frames[best].disparity_px - wanted))
+      if (best < 0 ||
+          std::abs(frames[k].disparity_px - wanted) < std::abs(frames[best].disparity_px - wanted))
         best = k;
     if (best >= 0) chosen.push_back(best);
   }

@@ -13,11 +13,11 @@ namespace svoscope {
 
 /// The live tracks of a reference as a joint problem.
 struct JointStart {
-  std::vector<int> tracks;        ///< per point: index of its track
-  std::vector<int> frames;        ///< per frame of the problem: index into reference.frames()
+  std::vector<int> tracks;  ///< per point: index of its track
+  std::vector<int> frames;  ///< per frame of the problem: index into reference.frames()
   MultiViewProblem problem;
   MultiViewSummary summary;
-  double mean_cost = 0;           ///< truncated, per live track: to compare explanations
+  double mean_cost = 0;  ///< truncated, per live track: to compare explanations
 };
 
 /// Points that agree with a pose of the last frame, and the frames between.

@@ -39,7 +39,9 @@ Vec2 neighbourMotion(const std::vector<StartTrack>& tracks, const StartTrack& of
 InitializerReference::InitializerReference(const InitializerFrame& frame,
                                            const InitializerParameters& parameters,
                                            std::int64_t first_id)
-    : index_(frame.index), timestamp_(frame.timestamp), pyramid_(frame.pyramid),
+    : index_(frame.index),
+      timestamp_(frame.timestamp),
+      pyramid_(frame.pyramid),
       parameters_(parameters) {
   for (const StartFeature& feature : detectStartFeatures(*pyramid_, parameters.max_tracks)) {
     StartTrack track;

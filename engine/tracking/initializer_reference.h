@@ -33,7 +33,7 @@ struct StartTrack {
 struct TrackedFrame {
   int index = -1;
   double timestamp = 0;
-  double disparity_px = 0;     ///< median over live tracks
+  double disparity_px = 0;  ///< median over live tracks
   std::vector<Eigen::Vector2f> px;
 };
 

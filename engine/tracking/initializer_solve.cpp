@@ -26,8 +26,8 @@ void fillSolution(const InitializerReference& reference, const Pinhole& camera, 
   for (double& d : p.inv_depth) d /= scale;
   for (SE3& T : p.T_frame_ref) T = SE3(T.quaternion(), T.translation() * scale);
   for (std::size_t i = 0; i < joint.tracks.size(); ++i)
-    out.points.push_back({joint.tracks[i], p.inv_depth[i],
-                          joint.summary.sigma_inv_depth[i] / scale, joint.summary.point_px[i]});
+    out.points.push_back({joint.tracks[i], p.inv_depth[i], joint.summary.sigma_inv_depth[i] / scale,
+                          joint.summary.point_px[i]});
   out.T_frame_ref = posesOfAllFrames(reference, joint, camera);
 }
 
@@ -45,11 +45,11 @@ void judge(const JointStart& joint, const InitializerParameters& o, int live, St
   } else if (!(out.depth_sigma < o.max_depth_sigma)) {
     out.verdict = TwoViewVerdict::low_parallax;
     out.reason = formatLine("depths uncertain by %.1f %% > %.1f %%", 100 * out.depth_sigma,
-                        100 * o.max_depth_sigma);
+                            100 * o.max_depth_sigma);
   } else {
     out.verdict = TwoViewVerdict::ok;
     out.reason = formatLine("%s start: %d points, rms %.2f px, depths to %.1f %%",
-                        twoViewModelName(out.model), points, out.rms_px, 100 * out.depth_sigma);
+                            twoViewModelName(out.model), points, out.rms_px, 100 * out.depth_sigma);
   }
 }
 

@@ -37,8 +37,8 @@ bool samplePatch(const cv::Mat& image, double x, double y, int size, float* out)
   return true;
 }
 
-/// In a fixed order. Eigen's mean() adds up what precedes the first aligned address by itself, so that
-/// its last digits depend on where the heap put the values, and with them the whole run.
+/// In a fixed order. Eigen's mean() adds up what precedes the first aligned address by itself, so
+/// that its last digits depend on where the heap put the values, and with them the whole run.
 void removeMean(float* v, std::size_t n) {
   constexpr std::size_t kLanes = 8;
   float lanes[kLanes] = {};
@@ -78,7 +78,8 @@ KltTemplate::Level makeLevel(const cv::Mat& image, const Vec2& centre, const Mat
       level.gx.push_back(0.5f * (p[1] - p[-1]));
       level.gy.push_back(0.5f * (p[stride] - p[-stride]));
     }
-  for (std::vector<float>* v : {&level.value, &level.gx, &level.gy}) removeMean(v->data(), v->size());
+  for (std::vector<float>* v : {&level.value, &level.gx, &level.gy})
+    removeMean(v->data(), v->size());
   const Eigen::Index n = static_cast<Eigen::Index>(level.value.size());
   const Floats value(level.value.data(), n), gx(level.gx.data(), n), gy(level.gy.data(), n);
   level.norm = value.norm();
@@ -104,8 +105,8 @@ LevelFit fitLevel(const KltTemplate::Level& level, const cv::Mat& image, const V
   const Mat2 H_inverse = H.inverse();
   Eigen::Map<Eigen::VectorXf> s(samples, n);
   for (int k = 0; k <= max_iterations; ++k) {
-    fit.inside = samplePatch(image, u.x() - level.half + 0.5, u.y() - level.half + 0.5, size,
-                             samples);
+    fit.inside =
+        samplePatch(image, u.x() - level.half + 0.5, u.y() - level.half + 0.5, size, samples);
     if (!fit.inside) return fit;
     if (fit.converged || k == max_iterations) break;
     // The gradients are zero-mean: a brightness offset of the whole patch changes nothing.
@@ -128,14 +129,14 @@ KltTemplate makeKltTemplate(const std::vector<cv::Mat>& pyramid, const Vec2& px_
   const Mat2 A_ref_cur = A_cur_ref.inverse();
   for (int l = 0; l < static_cast<int>(pyramid.size()); ++l) {
     const int half = std::min(16, l < 3 ? parameters.half_patch : parameters.half_patch_coarse);
-    out.levels.push_back(makeLevel(pyramid[l], {toLevel(px_ref.x(), l), toLevel(px_ref.y(), l)},
-                                   A_ref_cur, half));
+    out.levels.push_back(
+        makeLevel(pyramid[l], {toLevel(px_ref.x(), l), toLevel(px_ref.y(), l)}, A_ref_cur, half));
   }
   return out;
 }
 
-KltResult trackKlt(const KltTemplate& patch, const std::vector<cv::Mat>& pyramid,
-                   const Vec2& guess, const KltPrior& prior, const KltParameters& parameters) {
+KltResult trackKlt(const KltTemplate& patch, const std::vector<cv::Mat>& pyramid, const Vec2& guess,
+                   const KltPrior& prior, const KltParameters& parameters) {
   KltResult out;
   out.px = guess;
   const int levels = static_cast<int>(std::min(pyramid.size(), patch.levels.size()));

@@ -12,11 +12,11 @@
 namespace svoscope {
 
 struct KltParameters {
-  int half_patch = 8;          ///< px; patch of 2h x 2h at the three finest levels
-  int half_patch_coarse = 4;   ///< px; at coarser levels, where large patches leave the image
-  int max_iterations = 20;     ///< per level
+  int half_patch = 8;            ///< px; patch of 2h x 2h at the three finest levels
+  int half_patch_coarse = 4;     ///< px; at coarser levels, where large patches leave the image
+  int max_iterations = 20;       ///< per level
   double min_correlation = 0.8;  ///< zero-mean normalised correlation at the end
-  double image_noise = 4;      ///< grey levels; weighs the prior of a track against its patch
+  double image_noise = 4;        ///< grey levels; weighs the prior of a track against its patch
 };
 
 /// Patch of the reference frame at all levels at which it fits.
@@ -29,7 +29,7 @@ struct KltTemplate {
     float norm = 0;                    ///< of value
   };
   std::vector<Level> levels;
-  Mat2 A_cur_ref = Mat2::Identity();   ///< warp it was cut out with
+  Mat2 A_cur_ref = Mat2::Identity();  ///< warp it was cut out with
 };
 
 /// Cuts out the template around px_ref, warped so that it looks as in a current frame in which
@@ -51,7 +51,7 @@ struct KltResult {
 };
 
 /// Finds the template in `pyramid` (CV_8U, level 0 first) from the guess.
-KltResult trackKlt(const KltTemplate& patch, const std::vector<cv::Mat>& pyramid,
-                   const Vec2& guess, const KltPrior& prior, const KltParameters& parameters);
+KltResult trackKlt(const KltTemplate& patch, const std::vector<cv::Mat>& pyramid, const Vec2& guess,
+                   const KltPrior& prior, const KltParameters& parameters);
 
 }  // namespace svoscope

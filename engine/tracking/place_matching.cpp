@@ -10,9 +10,9 @@ namespace svoscope {
 
 namespace {
 
-constexpr int kLevels = 3;        // of the pyramid, with a factor of two
-constexpr int kFeatures = 1000;   // in the image
-constexpr int kRadius = 15;       // of the patch whose centroid gives the orientation, level px
+constexpr int kLevels = 3;          // of the pyramid, with a factor of two
+constexpr int kFeatures = 1000;     // in the image
+constexpr int kRadius = 15;         // of the patch whose centroid gives the orientation, level px
 constexpr float kMaxDistance = 64;  // of 256 bits
 constexpr float kBestToSecond = 0.8f;
 constexpr int kLeastMatches = 10, kLeastInliers = 8;
@@ -20,7 +20,8 @@ constexpr float kInlierPx = 4;
 
 cv::Ptr<cv::ORB> makeOrb() {
   constexpr int kEdge = 19, kPatch = 31, kFastThreshold = 12;
-  return cv::ORB::create(kFeatures, 2.0f, kLevels, kEdge, 0, 2, cv::ORB::HARRIS_SCORE, kPatch, kFastThreshold);
+  return cv::ORB::create(kFeatures, 2.0f, kLevels, kEdge, 0, 2, cv::ORB::HARRIS_SCORE, kPatch,
+                         kFastThreshold);
 }
 
 /// Direction from the pixel to the intensity centroid of its disc, degrees; as ORB defines it.
@@ -49,21 +50,26 @@ PlaceDescriptors describe(const Map& map, const Keyframe& keyframe) {
     const Landmark* landmark = map.find(id);
     if (!landmark || landmark->type != FeatureType::corner) continue;
     const auto& views = landmark->observations;
-    const auto view = std::find_if(views.begin(), views.end(),
-                                   [&](const LandmarkObservation& o) { return o.keyframe_id == keyframe.id; });
+    const auto view = std::find_if(views.begin(), views.end(), [&](const LandmarkObservation& o) {
+      return o.keyframe_id == keyframe.id;
+    });
     if (view == views.end()) continue;
-    const int level = std::min({view->anchor.level, kLevels - 1, static_cast<int>(keyframe.pyramid->size()) - 1});
+    const int level =
+        std::min({view->anchor.level, kLevels - 1, static_cast<int>(keyframe.pyramid->size()) - 1});
     const Vec2& px = view->anchor.px;
-    const float angle = orientation((*keyframe.pyramid)[static_cast<std::size_t>(level)], toLevel(px, level));
-    keypoints.emplace_back(static_cast<float>(px.x()), static_cast<float>(px.y()), 31.0f * static_cast<float>(1 << level),
-                           angle, 1.0f, level, static_cast<int>(ids.size()));
+    const float angle =
+        orientation((*keyframe.pyramid)[static_cast<std::size_t>(level)], toLevel(px, level));
+    keypoints.emplace_back(static_cast<float>(px.x()), static_cast<float>(px.y()),
+                           31.0f * static_cast<float>(1 << level), angle, 1.0f, level,
+                           static_cast<int>(ids.size()));
     ids.push_back(id);
   }
   PlaceDescriptors place;
   if (keypoints.empty()) return place;
   makeOrb()->compute(keyframe.pyramid->front(), keypoints, place.descriptors);
   // Those near the border are gone: class_id says which are left.
-  for (const cv::KeyPoint& k : keypoints) place.landmarks.push_back(ids[static_cast<std::size_t>(k.class_id)]);
+  for (const cv::KeyPoint& k : keypoints)
+    place.landmarks.push_back(ids[static_cast<std::size_t>(k.class_id)]);
   return place;
 }
 
@@ -73,7 +79,7 @@ struct ImageFeatures {
 };
 
 struct Matches {
-  std::vector<cv::Point3d> points;   ///< world
+  std::vector<cv::Point3d> points;  ///< world
   std::vector<cv::Point2d> pixels;
 };
 
@@ -83,8 +89,11 @@ Matches match(const Map& map, const PlaceDescriptors& place, const ImageFeatures
   std::vector<std::vector<cv::DMatch>> pairs;
   cv::BFMatcher(cv::NORM_HAMMING).knnMatch(place.descriptors, image.descriptors, pairs, 2);
   for (const auto& pair : pairs) {
-    if (pair.size() < 2 || pair[0].distance > kMaxDistance || pair[0].distance > kBestToSecond * pair[1].distance) continue;
-    const Landmark* landmark = map.find(place.landmarks[static_cast<std::size_t>(pair[0].queryIdx)]);
+    if (pair.size() < 2 || pair[0].distance > kMaxDistance ||
+        pair[0].distance > kBestToSecond * pair[1].distance)
+      continue;
+    const Landmark* landmark =
+        map.find(place.landmarks[static_cast<std::size_t>(pair[0].queryIdx)]);
     if (!landmark) continue;
     const Vec3& p = landmark->p_world;
     const cv::Point2f& px = image.keypoints[static_cast<std::size_t>(pair[0].trainIdx)].pt;
@@ -102,8 +111,9 @@ int solvePose(const Pinhole& camera, const Matches& matches, SE3& T_cam_world) {
   std::vector<int> inliers;
   constexpr int kTrials = 300;
   constexpr double kConfidence = 0.999;
-  const bool ok = cv::solvePnPRansac(matches.points, matches.pixels, K, cv::noArray(), rvec, tvec, false, kTrials, kInlierPx,
-                                     kConfidence, inliers, cv::SOLVEPNP_EPNP);
+  const bool ok =
+      cv::solvePnPRansac(matches.points, matches.pixels, K, cv::noArray(), rvec, tvec, false,
+                         kTrials, kInlierPx, kConfidence, inliers, cv::SOLVEPNP_EPNP);
   if (!ok || static_cast<int>(inliers.size()) < kLeastInliers) return 0;
   const Vec3 w(rvec.at<double>(0), rvec.at<double>(1), rvec.at<double>(2));
   const Vec3 t(tvec.at<double>(0), tvec.at<double>(1), tvec.at<double>(2));
@@ -115,10 +125,12 @@ int solvePose(const Pinhole& camera, const Matches& matches, SE3& T_cam_world) {
 
 const PlaceDescriptors& PlaceIndex::of(const Map& map, const Keyframe& keyframe) {
   const auto it = places_.find(keyframe.id);
-  return it != places_.end() ? it->second : places_.emplace(keyframe.id, describe(map, keyframe)).first->second;
+  return it != places_.end() ? it->second
+                             : places_.emplace(keyframe.id, describe(map, keyframe)).first->second;
 }
 
-std::vector<RelocalizationCandidate> matchPlaces(const Map& map, const Pyramid& pyramid, PlaceIndex& index,
+std::vector<RelocalizationCandidate> matchPlaces(const Map& map, const Pyramid& pyramid,
+                                                 PlaceIndex& index,
                                                  const RelocalizerParameters& p) {
   ImageFeatures image;
   makeOrb()->detectAndCompute(pyramid.front(), cv::noArray(), image.keypoints, image.descriptors);
@@ -127,10 +139,12 @@ std::vector<RelocalizationCandidate> matchPlaces(const Map& map, const Pyramid& 
   std::vector<std::pair<int, RelocalizationCandidate>> ranked;
   for (RelocalizationCandidate& c : similarKeyframes(map, pyramid, p.places, -1)) {
     const Keyframe& keyframe = map.keyframes.at(c.keyframe_id);
-    const int inliers = solvePose(map.camera, match(map, index.of(map, keyframe), image), c.T_cam_world);
+    const int inliers =
+        solvePose(map.camera, match(map, index.of(map, keyframe), image), c.T_cam_world);
     if (inliers > 0) ranked.emplace_back(inliers, c);
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [inliers, candidate] : ranked) {
     if (static_cast<int>(found.size()) < p.candidates) found.push_back(candidate);
   }

@@ -16,7 +16,7 @@ constexpr double kTukey = 4.685;
 constexpr double kBehind = 1e9;  // error of a point behind the camera
 
 struct Residual {
-  Vec2 e = Vec2::Zero();   ///< measured - projected, px; edgelets: (along gradient, 0)
+  Vec2 e = Vec2::Zero();  ///< measured - projected, px; edgelets: (along gradient, 0)
   bool valid = false;
 };
 
@@ -36,7 +36,8 @@ double sigmaOf(const PoseObservation& o, const PoseRefinementParameters& p) {
   return sigma;
 }
 
-/// Inverse of sigma^2 I + depth_px depth_px^T; of an edgelet, (0, 0) holds the one along its gradient.
+/// Inverse of sigma^2 I + depth_px depth_px^T; of an edgelet, (0, 0) holds the one along its
+/// gradient.
 Mat2 informationOf(const PoseObservation& o, double sigma) {
   const double s2 = sigma * sigma;
   Mat2 W = Mat2::Zero();
@@ -50,7 +51,9 @@ Mat2 informationOf(const PoseObservation& o, double sigma) {
 }
 
 /// Length of the error in sigmas.
-double lengthOf(const Residual& r, const Mat2& information) { return std::sqrt(r.e.dot(information * r.e)); }
+double lengthOf(const Residual& r, const Mat2& information) {
+  return std::sqrt(r.e.dot(information * r.e));
+}
 
 double medianOf(std::vector<double> v) {
   if (v.empty()) return 0;
@@ -127,7 +130,8 @@ void classifySegments(const Pinhole& camera, const std::vector<SegmentPoseObserv
     const double worst = std::max(std::abs(e[0]), std::abs(e[1]));
     result.segment_error_px.push_back(std::sqrt(0.5 * (e[0] * e[0] + e[1] * e[1])));
     const double sigma = std::max(o.sigma[0], o.sigma[1]);
-    const bool fits = worst <= (o.informs ? p.max_error_px : 3 * p.line_noise_px) * std::max(1.0, sigma);
+    const bool fits =
+        worst <= (o.informs ? p.max_error_px : 3 * p.line_noise_px) * std::max(1.0, sigma);
     result.segment_inlier.push_back(fits);
     result.segment_inliers += fits && o.informs;
   }
@@ -135,8 +139,9 @@ void classifySegments(const Pinhole& camera, const std::vector<SegmentPoseObserv
 
 }  // namespace
 
-PoseRefinementResult refinePose(const Pinhole& camera, const std::vector<PoseObservation>& observations,
-                                const SE3& T_init, const PoseRefinementParameters& p,
+PoseRefinementResult refinePose(const Pinhole& camera,
+                                const std::vector<PoseObservation>& observations, const SE3& T_init,
+                                const PoseRefinementParameters& p,
                                 const std::vector<SegmentPoseObservation>& segments,
                                 const SegmentParameters& segment_p) {
   PoseRefinementResult result;
@@ -155,11 +160,12 @@ PoseRefinementResult refinePose(const Pinhole& camera, const std::vector<PoseObs
     // The initial errors hold the prediction's error too: take the scale again once it is gone.
     if (it == 3) {
       result.scale_px = robustScale(camera, observations, result.T_cam_world, p);
-      result.segment_scale = segmentScale(camera, segments, result.T_cam_world, segment_p.min_scale);
+      result.segment_scale =
+          segmentScale(camera, segments, result.T_cam_world, segment_p.min_scale);
     }
     NormalEquations n = linearize(camera, observations, result.T_cam_world, result.scale_px, p);
-    addSegmentTerms(camera, segments, result.T_cam_world, result.segment_scale * segment_p.line_noise_px,
-                    segment_p.pose_sigma, n.H, n.b);
+    addSegmentTerms(camera, segments, result.T_cam_world,
+                    result.segment_scale * segment_p.line_noise_px, segment_p.pose_sigma, n.H, n.b);
     Mat6 damped = n.H;
     damped.diagonal() *= 1.0 + 1e-9;
     const Vec6 step = damped.ldlt().solve(n.b);

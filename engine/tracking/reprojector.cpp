@@ -21,7 +21,7 @@ struct Candidate {
   const Seed* seed = nullptr;
   Vec2 px = Vec2::Zero();
   Vec3 p_world = Vec3::Zero();
-  int rank = 0;          ///< successes minus failures
+  int rank = 0;  ///< successes minus failures
   double score = 0;
   bool edgelet = false;
 };
@@ -41,9 +41,15 @@ bool projectInside(const Pinhole& camera, const SE3& T_cam_world, const Vec3& p_
 
 class Reprojection {
  public:
-  Reprojection(const Map& map, const Frame& frame, const ReprojectorParameters& p, const MappingParameters& m)
-      : map_(map), frame_(frame), p_(p), mapping_(m), c_world_(frame.T_cam_world.inverse().translation()) {
-    out_.occupied = OccupancyGrid(map.camera.width, map.camera.height, scaledCell(p.cell_px, map.camera.width));
+  Reprojection(const Map& map, const Frame& frame, const ReprojectorParameters& p,
+               const MappingParameters& m)
+      : map_(map),
+        frame_(frame),
+        p_(p),
+        mapping_(m),
+        c_world_(frame.T_cam_world.inverse().translation()) {
+    out_.occupied =
+        OccupancyGrid(map.camera.width, map.camera.height, scaledCell(p.cell_px, map.camera.width));
   }
 
   ReprojectionResult run() {
@@ -115,7 +121,8 @@ class Reprojection {
       f.id = c.seed->id;
       f.keyframe_id = c.seed->keyframe_id;
       f.depth_px = depthPx(*c.seed);
-      f.origin = c.pass == Pass::converged ? FeatureOrigin::converged_seed : FeatureOrigin::unconverged_seed;
+      f.origin = c.pass == Pass::converged ? FeatureOrigin::converged_seed
+                                           : FeatureOrigin::unconverged_seed;
       ok = c.pass == Pass::converged ? alignSeed(*c.seed, f) : searchSeed(*c.seed, f);
     }
     if (!ok) f.status = FeatureStatus::not_aligned;
@@ -125,7 +132,8 @@ class Reprojection {
 
   /// How far one sigma of a seed's inverse distance moves its projection, to first order.
   Vec2 depthPx(const Seed& seed) const {
-    const SE3 T_cur_ref = frame_.T_cam_world * map_.findKeyframe(seed.keyframe_id)->T_cam_world.inverse();
+    const SE3 T_cur_ref =
+        frame_.T_cam_world * map_.findKeyframe(seed.keyframe_id)->T_cam_world.inverse();
     // The point times its inverse distance projects to the same pixel and is linear in it.
     const Vec3 q = T_cur_ref.rotation() * seed.anchor.f + seed.belief.mu * T_cur_ref.translation();
     return map_.camera.projectJacobian(q) * T_cur_ref.translation() * std::sqrt(seed.belief.sigma2);
@@ -144,19 +152,22 @@ class Reprojection {
   bool alignSeed(const Seed& seed, TrackedFeature& f) {
     const Keyframe& keyframe = *map_.findKeyframe(seed.keyframe_id);
     const bool ok = alignAnchor(keyframe, seed.anchor, 1.0 / seed.belief.mu, f);
-    out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id, keyframe.id,
+    out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id,
+                                 keyframe.id,
                                  ok ? SearchOutcome::tracked : SearchOutcome::no_match});
     return ok;
   }
 
   /// Warps the patch of a reference view at known distance and aligns it at the prediction.
-  bool alignAnchor(const Keyframe& keyframe, const FeatureAnchor& anchor, double distance, TrackedFeature& f) {
+  bool alignAnchor(const Keyframe& keyframe, const FeatureAnchor& anchor, double distance,
+                   TrackedFeature& f) {
     const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
     const Mat2 A = affineWarp(map_.camera, T_cur_ref, anchor.f, distance);
     const int top = static_cast<int>(frame_.pyramid->size()) - 1;
     const int level = std::min(top, searchLevel(A, anchor.level, top) + p_.coarser);
     WarpedPatch patch;
-    if (!warpPatch((*keyframe.pyramid)[anchor.level], anchor.px, anchor.level, A, level, patch)) return false;
+    if (!warpPatch((*keyframe.pyramid)[anchor.level], anchor.px, anchor.level, A, level, patch))
+      return false;
     const Vec2 start = toLevel(f.predicted_px, level);
     const cv::Mat& image = (*frame_.pyramid)[level];
     AlignmentResult aligned;
@@ -190,14 +201,16 @@ class Reprojection {
     const EpipolarMatch match = searchEpipolar(q, mapping_.search, mapping_.alignment);
     const double inv_distance = fusedInverseDistance(seed.belief, match.inv_distance, match.tau);
     const bool ok = match.outcome == SearchOutcome::matched && inv_distance > 0;
-    out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id, keyframe.id,
-                                 ok ? SearchOutcome::tracked : match.outcome, match.score});
+    out_.seed_matches.push_back({ok ? static_cast<int>(out_.features.size()) : -1, seed.id,
+                                 keyframe.id, ok ? SearchOutcome::tracked : match.outcome,
+                                 match.score});
     if (!ok) return false;
     f.anchor.type = seed.anchor.type;
     f.anchor.level = match.level;
     f.anchor.gradient_dir = match.gradient_dir;
     setMeasured(match.px, f);
-    // The match taken at its word, for the next frame and for the map, under either rule of the filter.
+    // The match taken at its word, for the next frame and for the map, under either rule of the
+    // filter.
     f.p_world = keyframe.T_cam_world.inverse() * (seed.anchor.f / inv_distance);
     return true;
   }
@@ -255,7 +268,8 @@ std::vector<int> overlappingKeyframes(const Map& map, const SE3& T_cam_world, in
   return ids;
 }
 
-ReprojectionResult reprojectMap(const Map& map, const Frame& frame, const ReprojectorParameters& parameters,
+ReprojectionResult reprojectMap(const Map& map, const Frame& frame,
+                                const ReprojectorParameters& parameters,
                                 const MappingParameters& mapping) {
   return Reprojection(map, frame, parameters, mapping).run();
 }

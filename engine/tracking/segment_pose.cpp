@@ -10,7 +10,8 @@ namespace {
 constexpr double kTukey = 4.685;
 }
 
-bool segmentResiduals(const Pinhole& camera, const SegmentPoseObservation& o, const SE3& T, double (&e)[2]) {
+bool segmentResiduals(const Pinhole& camera, const SegmentPoseObservation& o, const SE3& T,
+                      double (&e)[2]) {
   for (int i = 0; i < 2; ++i) {
     const Vec3 p = T * o.p_world[i];
     if (p.z() < 1e-3) return false;
@@ -20,8 +21,8 @@ bool segmentResiduals(const Pinhole& camera, const SegmentPoseObservation& o, co
   return true;
 }
 
-double segmentScale(const Pinhole& camera, const std::vector<SegmentPoseObservation>& observations, const SE3& T,
-                    double min_scale) {
+double segmentScale(const Pinhole& camera, const std::vector<SegmentPoseObservation>& observations,
+                    const SE3& T, double min_scale) {
   std::vector<double> errors;
   double e[2];
   for (const SegmentPoseObservation& o : observations) {
@@ -34,8 +35,8 @@ double segmentScale(const Pinhole& camera, const std::vector<SegmentPoseObservat
   return std::max(min_scale, 1.48 * *middle);
 }
 
-void addSegmentTerms(const Pinhole& camera, const std::vector<SegmentPoseObservation>& observations, const SE3& T,
-                     double scale, double pose_sigma, Mat6& H, Vec6& b) {
+void addSegmentTerms(const Pinhole& camera, const std::vector<SegmentPoseObservation>& observations,
+                     const SE3& T, double scale, double pose_sigma, Mat6& H, Vec6& b) {
   double e[2];
   for (const SegmentPoseObservation& o : observations) {
     if (!o.informs || !segmentResiduals(camera, o, T, e)) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Segments in pose refinement: distance of two points of a segment from the observed line, each with
-// the Jacobian of its own depth; a robust scale of their own, as their errors are of another kind
-// than those of points.
+// Segments in pose refinement: distance of two points of a segment from the observed line, each
+// with the Jacobian of its own depth; a robust scale of their own, as their errors are of another
+// kind than those of points.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,13 @@ namespace svoscope {
 struct SegmentPoseObservation {
   Vec3 p_world[2] = {Vec3::Zero(), Vec3::Zero()};  ///< ends of the visible part
   ImageLine line;                                  ///< measured
-  double sigma[2] = {1, 1};   ///< of the distances relative to line_noise_px: line and depth
-  bool informs = true;        ///< false: followed for its depth only, not used for the pose
+  double sigma[2] = {1, 1};  ///< of the distances relative to line_noise_px: line and depth
+  bool informs = true;       ///< false: followed for its depth only, not used for the pose
 };
 
 /// Signed distances, px; false if an end is behind the camera.
-bool segmentResiduals(const Pinhole& camera, const SegmentPoseObservation& o, const SE3& T_cam_world, double (&e)[2]);
+bool segmentResiduals(const Pinhole& camera, const SegmentPoseObservation& o,
+                      const SE3& T_cam_world, double (&e)[2]);
 
 /// 1.48 x median of |distance| / sigma of those that inform, at least `min_scale`.
 double segmentScale(const Pinhole& camera, const std::vector<SegmentPoseObservation>& observations,

@@ -6,15 +6,15 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "engine/mapping/segment_refinement.h"
 #include "engine/mapping/segment_alignment.h"
+#include "engine/mapping/segment_refinement.h"
 
 namespace svoscope {
 
 namespace {
 
-constexpr double kLeastVisiblePx = 25;   // shorter visible parts fix no direction
-constexpr double kMinViewCosine = 0.5;   // between reference and current view of the middle
+constexpr double kLeastVisiblePx = 25;  // shorter visible parts fix no direction
+constexpr double kMinViewCosine = 0.5;  // between reference and current view of the middle
 
 struct Candidate {
   const SegmentLandmark* landmark = nullptr;
@@ -30,7 +30,8 @@ bool before(const Candidate& a, const Candidate& b) {
 }
 
 /// Sigma across the image line caused by the end points' covariances at parameter t, px.
-double depthSigma(const Pinhole& camera, const TrackedSegment& s, double t, const SE3& T, const Vec2& normal) {
+double depthSigma(const Pinhole& camera, const TrackedSegment& s, double t, const SE3& T,
+                  const Vec2& normal) {
   const Row3 J = linePointJacobian(camera, T * s.pointAt(t), T.rotation(), normal);
   const Mat3 C = (1 - t) * (1 - t) * s.covariance[0] + t * t * s.covariance[1];
   return std::sqrt(std::max(0.0, (J * C * J.transpose()).value()));
@@ -39,14 +40,19 @@ double depthSigma(const Pinhole& camera, const TrackedSegment& s, double t, cons
 class SegmentTracking {
  public:
   SegmentTracking(const Map& map, const Frame& frame, const MappingParameters& m)
-      : map_(map), frame_(frame), mapping_(m), p_(m.segments), c_world_(frame.T_cam_world.inverse().translation()) {}
+      : map_(map),
+        frame_(frame),
+        mapping_(m),
+        p_(m.segments),
+        c_world_(frame.T_cam_world.inverse().translation()) {}
 
   SegmentTrackingResult run(const std::vector<int>& local_keyframes) {
     collect(local_keyframes);
     std::sort(candidates_.begin(), candidates_.end(), before);
     out_.projected = static_cast<int>(candidates_.size());
     for (Candidate& c : candidates_) {
-      if (static_cast<int>(out_.segments.size()) >= p_.max_tracked || out_.tried >= p_.max_tries) break;
+      if (static_cast<int>(out_.segments.size()) >= p_.max_tracked || out_.tried >= p_.max_tries)
+        break;
       const auto taken = [&](const TrackedSegment& s) {
         return sameEdge(s.anchor.px, c.segment.predicted, 5, 0.7 * p_.detector.separation_px, 0.3);
       };
@@ -105,7 +111,8 @@ class SegmentTracking {
     TrackedSegment& s = c.segment;
     const Vec3 p0 = frame_.T_cam_world * s.p_world[0], p1 = frame_.T_cam_world * s.p_world[1];
     if (!clipToImage(map_.camera, p0, p1, 9, s.t[0], s.t[1])) return;
-    for (int i = 0; i < 2; ++i) s.predicted[i] = map_.camera.project(frame_.T_cam_world * s.pointAt(s.t[i]));
+    for (int i = 0; i < 2; ++i)
+      s.predicted[i] = map_.camera.project(frame_.T_cam_world * s.pointAt(s.t[i]));
     c.length = (s.predicted[1] - s.predicted[0]).norm();
     if (c.length < kLeastVisiblePx) return;
     const Vec2 normal = lineThrough(s.predicted[0], s.predicted[1]).normal;
@@ -177,14 +184,17 @@ class SegmentTracking {
 
 }  // namespace
 
-SegmentTrackingResult trackSegments(const Map& map, const Frame& frame, const std::vector<int>& local_keyframes,
+SegmentTrackingResult trackSegments(const Map& map, const Frame& frame,
+                                    const std::vector<int>& local_keyframes,
                                     const MappingParameters& parameters) {
   if (!parameters.segments.enabled) return {};
   return SegmentTracking(map, frame, parameters).run(local_keyframes);
 }
 
-std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera, const std::vector<TrackedSegment>& segments,
-                                                        const SE3& T_cam_world, const SegmentParameters& p) {
+std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera,
+                                                        const std::vector<TrackedSegment>& segments,
+                                                        const SE3& T_cam_world,
+                                                        const SegmentParameters& p) {
   std::vector<SegmentPoseObservation> observations;
   observations.reserve(segments.size());
   for (const TrackedSegment& s : segments) {
@@ -203,8 +213,8 @@ std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera, c
   return observations;
 }
 
-void appendPatchesAlong(const Pinhole& camera, const Vec3& p0, const Vec3& p1, const ImageLine& line, int count,
-                        std::vector<AlignmentPatch>& patches) {
+void appendPatchesAlong(const Pinhole& camera, const Vec3& p0, const Vec3& p1,
+                        const ImageLine& line, int count, std::vector<AlignmentPatch>& patches) {
   for (int i = 0; i < count; ++i) {
     const double u = (i + 0.5) / count;
     const Vec3 q = (1 - u) * p0 + u * p1;
@@ -220,7 +230,8 @@ void appendSegmentPatches(const Pinhole& camera, const Frame& frame, const Segme
   for (const TrackedSegment& s : frame.segments) {
     if (s.status != FeatureStatus::inlier || s.origin == FeatureOrigin::unconverged_seed) continue;
     const int count = std::min(p.patches_per_segment, static_cast<int>(most - patches.size()));
-    appendPatchesAlong(camera, frame.T_cam_world * s.pointAt(s.t[0]), frame.T_cam_world * s.pointAt(s.t[1]),
+    appendPatchesAlong(camera, frame.T_cam_world * s.pointAt(s.t[0]),
+                       frame.T_cam_world * s.pointAt(s.t[1]),
                        lineThrough(s.anchor.px[0], s.anchor.px[1]), count, patches);
   }
 }

@@ -37,9 +37,11 @@ AlignmentState applied(const AlignmentState& s, const Vec8& step) {
   return next;
 }
 
-/// Gauss-Newton on one level; a step that raises the error is undone and ends the level. Not the first: it also
-/// brings in the brightness, and the visible patches change with it; undoing it costs a tenth in accuracy.
-AlignmentNormal alignLevel(LevelAligner& level, const SparseAlignmentParameters& p, AlignmentState& state, int& iterations) {
+/// Gauss-Newton on one level; a step that raises the error is undone and ends the level. Not the
+/// first: it also brings in the brightness, and the visible patches change with it; undoing it
+/// costs a tenth in accuracy.
+AlignmentNormal alignLevel(LevelAligner& level, const SparseAlignmentParameters& p,
+                           AlignmentState& state, int& iterations) {
   level.setScale(state);
   AlignmentNormal n = level.linearize(state);
   for (int it = 0; it < p.max_iterations && n.visible >= kLeastPatches; ++it) {
@@ -48,7 +50,8 @@ AlignmentNormal alignLevel(LevelAligner& level, const SparseAlignmentParameters&
     const AlignmentState next = applied(state, step);
     const AlignmentNormal m = level.linearize(next);
     ++iterations;
-    const bool worse = m.visible < kLeastPatches || m.error / m.weight > n.error / n.weight * 1.0001;
+    const bool worse =
+        m.visible < kLeastPatches || m.error / m.weight > n.error / n.weight * 1.0001;
     if (worse && it > 0) break;
     state = next;
     n = m;
@@ -74,7 +77,8 @@ Mat26 pixelTwistJacobian(const Pinhole& camera, const Vec3& p) {
 }
 
 double photometricError(const Pyramid& ref, const Pyramid& cur, const Pinhole& camera,
-                        const std::vector<AlignmentPatch>& patches, const SE3& T_cur_ref, int level) {
+                        const std::vector<AlignmentPatch>& patches, const SE3& T_cur_ref,
+                        int level) {
   LevelAligner aligner(ref, cur, camera, std::min<int>(level, static_cast<int>(ref.size()) - 1));
   aligner.addPatches(patches);
   AlignmentState state;
@@ -102,7 +106,8 @@ SparseAlignmentResult alignSparse(const Pyramid& ref, const Pyramid& cur, const 
   const std::vector<AlignmentPatch> patches = thinned(all, p.max_patches);
   AlignmentState state;
   state.T_cur_ref = T_init;
-  const int top = std::min({p.max_level, static_cast<int>(ref.size()) - 1, static_cast<int>(cur.size()) - 1});
+  const int top =
+      std::min({p.max_level, static_cast<int>(ref.size()) - 1, static_cast<int>(cur.size()) - 1});
   for (int level = top; level >= std::min(p.min_level, top); --level) {
     LevelAligner aligner(ref, cur, camera, level);
     aligner.addPatches(patches);

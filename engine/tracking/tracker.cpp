@@ -24,7 +24,8 @@ SE3 startVelocity(const InitializerOutput& start) {
 
 }  // namespace
 
-Tracker::Tracker(const Pinhole& camera, const TrackerParameters& parameters) : parameters_(parameters) {
+Tracker::Tracker(const Pinhole& camera, const TrackerParameters& parameters)
+    : parameters_(parameters) {
   map_.camera = camera;
   reset();
 }
@@ -69,9 +70,15 @@ const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& 
   stageMs(record_, Stage::pyramid) = watch.ms();
 
   switch (state_) {
-    case TrackingState::initializing: initialize(); break;
-    case TrackingState::tracking: trackFrame(); break;
-    case TrackingState::lost: relocalize(); break;
+    case TrackingState::initializing:
+      initialize();
+      break;
+    case TrackingState::tracking:
+      trackFrame();
+      break;
+    case TrackingState::lost:
+      relocalize();
+      break;
   }
   finishRecord();
   stageMs(record_, Stage::tracking) = total.ms();
@@ -107,8 +114,8 @@ void Tracker::trackFrame() {
   const auto list = predictions(patches);
   stageMs(record_, Stage::sparse_align) += watch.ms();
   Attempt best;
-  const bool tracked = std::any_of(list.begin(), list.end(),
-                                   [&](const Prediction& p) { return trackFrom(p, patches, best); });
+  const bool tracked = std::any_of(
+      list.begin(), list.end(), [&](const Prediction& p) { return trackFrom(p, patches, best); });
   if (!tracked) {
     // The record holds the numbers of the attempt judged last: so does the reason.
     lose(best.failure);
@@ -150,9 +157,11 @@ void Tracker::relocalize() {
   // Alignment first: it is exact where it converges. Descriptors reach further.
   std::string failure = "no keyframe looks like this frame";
   const bool found =
-      tryRelocalization(relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment, parameters_.relocalize),
+      tryRelocalization(relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment,
+                                                 parameters_.relocalize),
                         "alignment", failure) ||
-      tryRelocalization(matchPlaces(map_, *frame_.pyramid, places_, parameters_.relocalize), "descriptors", failure);
+      tryRelocalization(matchPlaces(map_, *frame_.pyramid, places_, parameters_.relocalize),
+                        "descriptors", failure);
   stageMs(record_, Stage::relocalize) = watch.lapMs();
   if (found) return restart_.reset();
   frame_.T_cam_world = T_last_good_;
@@ -163,14 +172,15 @@ void Tracker::relocalize() {
   stageMs(record_, Stage::initialize) = watch.lapMs();
 }
 
-/// The camera may be where the map has never been. The map is given up only once another has begun: until
-/// then the camera may come back.
+/// The camera may be where the map has never been. The map is given up only once another has begun:
+/// until then the camera may come back.
 void Tracker::startBeside() {
   if (!restart_) restart_ = std::make_unique<Initializer>(map_.camera, parameters_.start);
   InitializerOutput start = restart_->process({frame_.index, frame_.timestamp, frame_.pyramid});
   if (!start.initialized) return;
-  event(EventKind::reset, fmt::format("map {} was given up after {} frames without it: another start was found",
-                                      map_id_, lost_frames_));
+  event(EventKind::reset,
+        fmt::format("map {} was given up after {} frames without it: another start was found",
+                    map_id_, lost_frames_));
   const Frame current = frame_;
   const int map_id = map_id_ + 1, next_keyframe_id = map_.next_keyframe_id;
   const std::int64_t next_id = map_.next_id;
@@ -184,14 +194,15 @@ void Tracker::startBeside() {
 }
 
 /// Takes the first candidate that the map confirms.
-bool Tracker::tryRelocalization(const std::vector<RelocalizationCandidate>& candidates, const char* by,
-                                std::string& failure) {
+bool Tracker::tryRelocalization(const std::vector<RelocalizationCandidate>& candidates,
+                                const char* by, std::string& failure) {
   const QualityParameters& q = parameters_.quality;
   for (const RelocalizationCandidate& c : candidates) {
     const Scope sure = {0, false};
     Attempt a = attempt(c.T_cam_world, "relocalization", sure);
     // Once more from the refined pose: the first pass finds only what lay near its prediction.
-    if (a.pose.inliers + a.pose.segment_inliers >= q.min_inliers) a = attempt(a.T_cam_world, "relocalization", sure);
+    if (a.pose.inliers + a.pose.segment_inliers >= q.min_inliers)
+      a = attempt(a.T_cam_world, "relocalization", sure);
     if (!acceptRelocalization(a)) {
       failure = fmt::format("keyframe {} by {}: {}", c.keyframe_id, by, a.failure);
       continue;

@@ -24,16 +24,17 @@
 namespace svoscope {
 
 struct QualityParameters {
-  int min_inliers = 20;            ///< fewer after pose refinement: lost
+  int min_inliers = 20;              ///< fewer after pose refinement: lost
   double min_inlier_fraction = 0.4;  ///< of the matched features; below: lost
-  double min_tried_fraction = 0.12;  ///< of the features tried; below, a few edgelets may fit by chance
-  int relocalized_inliers = 30;    ///< needed to accept a relocalisation ...
+  double min_tried_fraction =
+      0.12;                      ///< of the features tried; below, a few edgelets may fit by chance
+  int relocalized_inliers = 30;  ///< needed to accept a relocalisation ...
   double relocalized_fraction = 0.2;  ///< ... and this share of the features tried
-  double relocalized_noise = 4;    ///< ... and errors at most so many times the usual ones
-  int fresh_lost_frames = 10;      ///< lost for this long with a fresh map: look for another start, too
-  int lost_frames = 60;            ///< the same with any other map
-  int fresh_map_keyframes = 3;     ///< a map with at most this many keyframes is fresh
-  int structure_iterations = 5;    ///< Gauss-Newton steps per landmark and frame
+  double relocalized_noise = 4;       ///< ... and errors at most so many times the usual ones
+  int fresh_lost_frames = 10;  ///< lost for this long with a fresh map: look for another start, too
+  int lost_frames = 60;        ///< the same with any other map
+  int fresh_map_keyframes = 3;   ///< a map with at most this many keyframes is fresh
+  int structure_iterations = 5;  ///< Gauss-Newton steps per landmark and frame
 };
 
 struct TrackerParameters {
@@ -51,7 +52,8 @@ class Tracker {
  public:
   Tracker(const Pinhole& camera, const TrackerParameters& parameters);
 
-  /// Registers the next frame. `gray` is rectified, CV_8UC1, and is kept: the caller must not write it.
+  /// Registers the next frame. `gray` is rectified, CV_8UC1, and is kept: the caller must not write
+  /// it.
   const FrameRecord& process(int index, double timestamp, const cv::Mat& gray);
 
   /// Local bundle adjustment may be cut off by the clock (threads); a synchronous run never is.
@@ -95,17 +97,19 @@ class Tracker {
   void startBeside();
   void trackFrame();
   void relocalize();
-  bool tryRelocalization(const std::vector<RelocalizationCandidate>& candidates, const char* by, std::string& failure);
+  bool tryRelocalization(const std::vector<RelocalizationCandidate>& candidates, const char* by,
+                         std::string& failure);
   std::vector<Prediction> predictions(const std::vector<AlignmentPatch>& patches);
-  bool trackFrom(const Prediction& prediction, const std::vector<AlignmentPatch>& patches, Attempt& best);
+  bool trackFrom(const Prediction& prediction, const std::vector<AlignmentPatch>& patches,
+                 Attempt& best);
   /// What takes part in an attempt.
   struct Scope {
-    int coarser = 0;               ///< pyramid levels added to the search
-    bool unconverged_seeds = true; ///< found along long lines, they fit at many a wrong pose
+    int coarser = 0;                ///< pyramid levels added to the search
+    bool unconverged_seeds = true;  ///< found along long lines, they fit at many a wrong pose
   };
   Attempt attempt(const SE3& T_cam_world, const char* from, const Scope& scope);
-  Attempt alignAndAttempt(const std::vector<AlignmentPatch>& patches, const SE3& T_cur_prev, const char* from,
-                          const Scope& scope);
+  Attempt alignAndAttempt(const std::vector<AlignmentPatch>& patches, const SE3& T_cur_prev,
+                          const char* from, const Scope& scope);
   bool accept(Attempt& a, int required);
   bool acceptRelocalization(Attempt& a);
   void countTries();
@@ -147,14 +151,14 @@ class Tracker {
 
   TrackerParameters parameters_;
   Map map_;
-  int map_id_ = 0;                 ///< grows when a map is given up and another begun
+  int map_id_ = 0;  ///< grows when a map is given up and another begun
   std::unique_ptr<Initializer> initializer_;
   InitializerOutput start_output_;
   std::unique_ptr<Initializer> restart_;  ///< while lost for long: a start beside relocalisation
   TrackingState state_ = TrackingState::initializing;
   Frame frame_, last_;
-  SE3 T_velocity_;                 ///< T_cur_last of the last two good frames
-  SE3 T_last_good_;                ///< T_cam_world of the last good frame
+  SE3 T_velocity_;   ///< T_cur_last of the last two good frames
+  SE3 T_last_good_;  ///< T_cam_world of the last good frame
   FrameRecord record_;
   std::vector<TrackedFeature> failed_features_;
   std::vector<TrackedSegment> failed_segments_;
@@ -163,15 +167,15 @@ class Tracker {
   OccupancyGrid occupied_;
   PlaceIndex places_;
   std::optional<MappingJob> job_;
-  std::vector<std::int64_t> measured_seeds_;   ///< by the tracker in this frame, sorted
+  std::vector<std::int64_t> measured_seeds_;  ///< by the tracker in this frame, sorted
   std::vector<SeedUpdateView> seed_updates_;
   bool inspected_ = false;
   int last_keyframe_frame_ = -1, lost_frames_ = 0;
   int latest_keyframe_ = -1;
   bool adjustment_wanted_ = false;  ///< a keyframe came after the last problem was built
-  int awaited_adjustment_ = -1;     ///< newest keyframe of the problem that is being solved; -1: none
+  int awaited_adjustment_ = -1;  ///< newest keyframe of the problem that is being solved; -1: none
   bool timed_ = false;
-  double usual_noise_px_ = 0;      ///< of frames with a good pose, running mean; 0: there was none
+  double usual_noise_px_ = 0;  ///< of frames with a good pose, running mean; 0: there was none
 };
 
 /// Median and 5 % quantile of the depth (z) of the frame's inliers; false if there are none.

@@ -11,8 +11,8 @@ namespace svoscope {
 
 namespace {
 
-/// How the surroundings of a keyframe changed: old camera coordinates times `scale`, seen from the new
-/// pose.
+/// How the surroundings of a keyframe changed: old camera coordinates times `scale`, seen from the
+/// new pose.
 struct KeyframeChange {
   SE3 T_cam_world_old, T_cam_world_new;
   double scale = 1;
@@ -27,9 +27,9 @@ struct KeyframeChange {
   }
 };
 
-/// The adjustment leaves the scale free where no keyframe holds it. How far it moved the other keyframes from
-/// this one tells by how much everything there has to follow that was measured between them. (The distances
-/// of landmarks tell less: they also change because they were wrong.)
+/// The adjustment leaves the scale free where no keyframe holds it. How far it moved the other
+/// keyframes from this one tells by how much everything there has to follow that was measured
+/// between them. (The distances of landmarks tell less: they also change because they were wrong.)
 double scaleOf(int keyframe, const std::map<int, KeyframeChange>& changes) {
   const KeyframeChange& own = changes.at(keyframe);
   double before = 0, after = 0;
@@ -58,7 +58,8 @@ void addYounger(const Map& map, std::map<int, KeyframeChange>& changes) {
 }
 
 /// Landmarks that were no part of the problem follow the keyframe that saw them first.
-void moveLandmarks(const AdjustmentResult& adjustment, const std::map<int, KeyframeChange>& changes, Map& map) {
+void moveLandmarks(const AdjustmentResult& adjustment, const std::map<int, KeyframeChange>& changes,
+                   Map& map) {
   std::set<std::int64_t> adjusted;
   for (const AdjustmentPoint& p : adjustment.points) {
     adjusted.insert(p.id);
@@ -66,7 +67,8 @@ void moveLandmarks(const AdjustmentResult& adjustment, const std::map<int, Keyfr
   }
   for (auto& [id, landmark] : map.landmarks) {
     const auto first = changes.find(landmark.observations.front().keyframe_id);
-    if (first != changes.end() && !adjusted.count(id)) landmark.p_world = first->second.moved(landmark.p_world);
+    if (first != changes.end() && !adjusted.count(id))
+      landmark.p_world = first->second.moved(landmark.p_world);
   }
 }
 
@@ -110,16 +112,17 @@ void moveSegments(const AdjustmentResult& adjustment, const std::map<int, Keyfra
         if (!adjusted.count(id)) segment.p_world[i] = first->second.moved(segment.p_world[i]);
       }
     }
-    const bool touched = std::any_of(segment.views.begin(), segment.views.end(),
-                                     [&](const SegmentView& v) { return changes.count(v.keyframe_id) > 0; });
+    const bool touched =
+        std::any_of(segment.views.begin(), segment.views.end(),
+                    [&](const SegmentView& v) { return changes.count(v.keyframe_id) > 0; });
     if (touched) refineSegment(segment, map, p.line_noise_px, iterations);
   }
 }
 
 }  // namespace
 
-/// One at a time: a problem built while another is being solved holds the poses of before it, and would put
-/// them back.
+/// One at a time: a problem built while another is being solved holds the poses of before it, and
+/// would put them back.
 void Tracker::requestAdjustment() {
   if (!adjustment_wanted_ || awaited_adjustment_ >= 0) return;
   adjustment_wanted_ = false;
@@ -131,8 +134,8 @@ void Tracker::requestAdjustment() {
   if (!job_->adjustment.empty()) awaited_adjustment_ = latest_keyframe_;
 }
 
-/// Takes over refined poses, points and segments; seeds and the current frame follow their keyframes,
-/// so that frame and map stay consistent.
+/// Takes over refined poses, points and segments; seeds and the current frame follow their
+/// keyframes, so that frame and map stay consistent.
 void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
   if (adjustment.newest == awaited_adjustment_) awaited_adjustment_ = -1;
   if (!adjustment.ok) return;
@@ -145,8 +148,10 @@ void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
     keyframe.T_cam_world = change.T_cam_world_new;
     if (change.scale != 1) rescaleSeeds(keyframe, change.scale);
   }
-  moveSegments(adjustment, changes, parameters_.mapping.segments, parameters_.quality.structure_iterations, map_);
-  for (const AdjustmentResult::Outlier& o : adjustment.outliers) map_.removeObservation(o.landmark_id, o.keyframe_id);
+  moveSegments(adjustment, changes, parameters_.mapping.segments,
+               parameters_.quality.structure_iterations, map_);
+  for (const AdjustmentResult::Outlier& o : adjustment.outliers)
+    map_.removeObservation(o.landmark_id, o.keyframe_id);
   for (const AdjustmentResult::Outlier& o : adjustment.segment_outliers) {
     if (map_.segments.count(o.landmark_id)) map_.removeSegmentView(o.landmark_id, o.keyframe_id);
   }

@@ -8,7 +8,9 @@
 
 namespace svoscope {
 
-inline double& stageMs(FrameRecord& record, Stage s) { return record.time_ms[static_cast<std::size_t>(s)]; }
+inline double& stageMs(FrameRecord& record, Stage s) {
+  return record.time_ms[static_cast<std::size_t>(s)];
+}
 
 struct Tracker::Attempt {
   const char* from = "";
@@ -17,7 +19,7 @@ struct Tracker::Attempt {
   SegmentTrackingResult segments;
   PoseRefinementResult pose;
   SE3 T_cam_world;
-  std::string failure;             ///< empty if accepted
+  std::string failure;  ///< empty if accepted
 };
 
 }  // namespace svoscope

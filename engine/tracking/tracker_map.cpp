@@ -136,7 +136,8 @@ void Tracker::limitKeyframes() {
         f.status = FeatureStatus::outlier;
     }
     disownSegments(farthest);
-    local_keyframes_.erase(std::remove(local_keyframes_.begin(), local_keyframes_.end(), farthest), local_keyframes_.end());
+    local_keyframes_.erase(std::remove(local_keyframes_.begin(), local_keyframes_.end(), farthest),
+                           local_keyframes_.end());
   }
 }
 
@@ -150,7 +151,8 @@ void Tracker::buildMap(const InitializerOutput& start) {
   ref.thumbnail = makeThumbnail(*ref.pyramid);
   frame_.T_cam_world = start.T_cur_ref;
   for (const InitializerPoint& p : start.points) {
-    const FeatureAnchor anchor{p.px_ref, map_.camera.bearing(p.px_ref), p.level, p.type, p.gradient_dir};
+    const FeatureAnchor anchor{p.px_ref, map_.camera.bearing(p.px_ref), p.level, p.type,
+                               p.gradient_dir};
     const Vec3 p_cur = frame_.T_cam_world * p.p_ref;
     if (p_cur.z() <= 0 || !map_.camera.inside(p.px_cur, 1)) continue;
     Landmark& landmark = map_.addLandmark(p.p_ref, p.type);

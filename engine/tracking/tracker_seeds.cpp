@@ -36,11 +36,13 @@ void Tracker::dropEndedSeeds() {
   map_.segment_orphans.clear();
   for (auto& [id, keyframe] : map_.keyframes) {
     auto& seeds = keyframe.seeds;
-    if (frame_.index - std::max(keyframe.last_local_frame, keyframe.frame_index) > kSeedMemoryFrames)
+    if (frame_.index - std::max(keyframe.last_local_frame, keyframe.frame_index) >
+        kSeedMemoryFrames)
       map_.endSeeds(keyframe, SeedEnding::out_of_sight);
     seeds.erase(std::remove_if(seeds.begin(), seeds.end(),
                                [](const Seed& s) {
-                                 return s.status == SeedStatus::rejected || s.status == SeedStatus::promoted;
+                                 return s.status == SeedStatus::rejected ||
+                                        s.status == SeedStatus::promoted;
                                }),
                 seeds.end());
     for (Seed& seed : seeds) seed.outcome = SearchOutcome::none;
@@ -71,20 +73,25 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
     measured_seeds_.push_back(match.seed_id);
     SeedMeasurement m{match.seed_id, match.keyframe_id, frame_.index, match.outcome};
     m.score = match.score;
-    TrackedFeature* feature = match.feature < 0 ? nullptr : &frame_.features[static_cast<std::size_t>(match.feature)];
+    TrackedFeature* feature =
+        match.feature < 0 ? nullptr : &frame_.features[static_cast<std::size_t>(match.feature)];
     if (feature) {
       m.px = feature->anchor.px;
       const Keyframe& keyframe = *map_.findKeyframe(match.keyframe_id);
       const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
       m.x = triangulateInverseDistance(map_.camera, T_cur_ref, seed->anchor.f, feature->anchor.px);
-      m.tau = inverseDistanceSigma(T_cur_ref, seed->anchor.f, m.x,
-                                   std::max(parameters_.mapping.search.pixel_noise, frame_.noise_px), map_.camera.focal());
+      m.tau = inverseDistanceSigma(
+          T_cur_ref, seed->anchor.f, m.x,
+          std::max(parameters_.mapping.search.pixel_noise, frame_.noise_px), map_.camera.focal());
       const bool parallax = parallaxAt(T_cur_ref, seed->anchor.f, seed->belief.mu) >
                             parameters_.mapping.search.min_parallax_deg * kDegree;
       // Without a baseline the sign of x is chance, and no evidence against the seed.
-      if (feature->status != FeatureStatus::inlier) m.outcome = SearchOutcome::no_match;
-      else if (!parallax) m.outcome = SearchOutcome::low_parallax;
-      else if (!(m.x > 0)) m.outcome = SearchOutcome::no_match;
+      if (feature->status != FeatureStatus::inlier)
+        m.outcome = SearchOutcome::no_match;
+      else if (!parallax)
+        m.outcome = SearchOutcome::low_parallax;
+      else if (!(m.x > 0))
+        m.outcome = SearchOutcome::no_match;
     }
     const double fused = fusedInverseDistance(seed->belief, m.x, m.tau);
     record_.seeds_converged += measureSeed(*seed, m);
@@ -92,9 +99,11 @@ void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
     if (feature) {
       const Keyframe& keyframe = *map_.findKeyframe(match.keyframe_id);
-      const bool doubtful = seed->status == SeedStatus::active && m.outcome == SearchOutcome::tracked && fused > 0;
+      const bool doubtful =
+          seed->status == SeedStatus::active && m.outcome == SearchOutcome::tracked && fused > 0;
       // The pose confirmed the match: until the filter has made up its mind, the match counts.
-      feature->p_world = doubtful ? Vec3(keyframe.T_cam_world.inverse() * (seed->anchor.f / fused)) : seedPoint(*seed, keyframe);
+      feature->p_world = doubtful ? Vec3(keyframe.T_cam_world.inverse() * (seed->anchor.f / fused))
+                                  : seedPoint(*seed, keyframe);
     }
     if (feature && seed->status == SeedStatus::rejected) feature->status = FeatureStatus::outlier;
   }
@@ -109,11 +118,13 @@ void Tracker::requestSeeds(const Keyframe& keyframe) {
   job_->new_seeds.median_depth = keyframe.median_depth;
   job_->new_seeds.min_depth = keyframe.min_depth;
   job_->new_seeds.scale = keyframe.scale;
-  if (last_.pyramid) job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world, last_.index});
+  if (last_.pyramid)
+    job_->older_views.push_back({-1, last_.pyramid, last_.T_cam_world, last_.index});
   for (const int id : local_keyframes_) {
     if (job_->older_views.size() >= kOlderViews) break;
     const Keyframe& k = *map_.findKeyframe(id);
-    if (id != keyframe.id && k.frame_index != last_.index) job_->older_views.push_back({id, k.pyramid, k.T_cam_world, k.frame_index});
+    if (id != keyframe.id && k.frame_index != last_.index)
+      job_->older_views.push_back({id, k.pyramid, k.T_cam_world, k.frame_index});
   }
 }
 
@@ -130,14 +141,16 @@ void Tracker::requestMeasurements() {
     const Keyframe* keyframe = map_.findKeyframe(id);
     if (!keyframe || keyframe->frame_index == frame_.index) continue;
     const int slot = static_cast<int>(job_->keyframes.size());
-    job_->keyframes.push_back({id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index, keyframe->scale});
+    job_->keyframes.push_back(
+        {id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index, keyframe->scale});
     for (const Seed& seed : keyframe->seeds) {
       if (seed.status != SeedStatus::active && seed.status != SeedStatus::converged) continue;
       if (job_->seeds.size() >= kMostJobSeeds) return;
       if (std::binary_search(measured_seeds_.begin(), measured_seeds_.end(), seed.id)) continue;
       const Vec3 p = frame_.T_cam_world * seedPoint(seed, *keyframe);
       if (p.z() < 1e-3 || !map_.camera.inside(map_.camera.project(p), 8)) continue;
-      job_->seeds.push_back({seed.id, slot, seed.anchor, seed.belief.mu, std::sqrt(seed.belief.sigma2)});
+      job_->seeds.push_back(
+          {seed.id, slot, seed.anchor, seed.belief.mu, std::sqrt(seed.belief.sigma2)});
     }
   }
 }
@@ -153,7 +166,8 @@ void Tracker::bringToScale(MappingResult& result) const {
   std::map<int, double> factors;
   for (const JobScale& then : result.scales) {
     const Keyframe* keyframe = map_.findKeyframe(then.keyframe_id);
-    if (keyframe && keyframe->scale != then.scale) factors[then.keyframe_id] = keyframe->scale / then.scale;
+    if (keyframe && keyframe->scale != then.scale)
+      factors[then.keyframe_id] = keyframe->scale / then.scale;
   }
   if (factors.empty()) return;
   const auto factor = [&](int keyframe_id) {
@@ -182,7 +196,8 @@ void Tracker::applyMapping(MappingResult result) {
   record_.time_ms[static_cast<int>(Stage::mapping)] += result.time_ms;
   for (const SeedMeasurement& m : result.measurements) {
     Seed* seed = findSeed(m.keyframe_id, m.seed_id);
-    if (!seed || seed->status == SeedStatus::rejected || seed->status == SeedStatus::promoted) continue;
+    if (!seed || seed->status == SeedStatus::rejected || seed->status == SeedStatus::promoted)
+      continue;
     record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::matched;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
@@ -197,7 +212,8 @@ void Tracker::applyMapping(MappingResult result) {
 
 void Tracker::addSeeds(Keyframe& keyframe, const MappingResult& result) {
   for (const NewSeed& fresh : result.new_seeds) {
-    Seed seed = makeSeed(fresh.feature, map_.camera, result.median_depth, result.min_depth, parameters_.mapping.filter);
+    Seed seed = makeSeed(fresh.feature, map_.camera, result.median_depth, result.min_depth,
+                         parameters_.mapping.filter);
     seed.id = map_.next_id++;
     seed.keyframe_id = keyframe.id;
     for (const SeedMeasurement& m : fresh.measurements) {

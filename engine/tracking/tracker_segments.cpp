@@ -14,12 +14,15 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-bool alive(const SegmentSeed& s) { return s.status == SeedStatus::active || s.status == SeedStatus::converged; }
+bool alive(const SegmentSeed& s) {
+  return s.status == SeedStatus::active || s.status == SeedStatus::converged;
+}
 
 /// Sigma of the inverse distance over its mean, the worse of both ends.
 double relativeSigma(const SegmentSeed& s) {
   double worst = 0;
-  for (const Belief& b : s.belief) worst = std::max(worst, std::sqrt(b.sigma2) / std::max(b.mu, 1e-9));
+  for (const Belief& b : s.belief)
+    worst = std::max(worst, std::sqrt(b.sigma2) / std::max(b.mu, 1e-9));
   return worst;
 }
 
@@ -49,7 +52,8 @@ SegmentSeed* Tracker::findSegmentSeed(int keyframe_id, std::int64_t id) {
   Keyframe* keyframe = map_.findKeyframe(keyframe_id);
   if (!keyframe) return nullptr;
   auto& seeds = keyframe->segment_seeds;
-  const auto it = std::find_if(seeds.begin(), seeds.end(), [id](const SegmentSeed& s) { return s.id == id; });
+  const auto it =
+      std::find_if(seeds.begin(), seeds.end(), [id](const SegmentSeed& s) { return s.id == id; });
   return it == seeds.end() ? nullptr : &*it;
 }
 
@@ -65,21 +69,25 @@ void Tracker::acceptSegments(Attempt& a) {
 /// The measured lines enter the filter with the final pose.
 void Tracker::commitSegments() {
   for (TrackedSegment& s : frame_.segments) {
-    SegmentSeed* seed = s.origin == FeatureOrigin::landmark ? nullptr : findSegmentSeed(s.keyframe_id, s.id);
+    SegmentSeed* seed =
+        s.origin == FeatureOrigin::landmark ? nullptr : findSegmentSeed(s.keyframe_id, s.id);
     if (!seed) continue;
     const Keyframe& keyframe = *map_.findKeyframe(s.keyframe_id);
     const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
-    SegmentMeasurement m = measureFromLine(map_.camera, T_cur_ref, seed->anchor, s.anchor.px, parameters_.mapping);
+    SegmentMeasurement m =
+        measureFromLine(map_.camera, T_cur_ref, seed->anchor, s.anchor.px, parameters_.mapping);
     m.frame_index = frame_.index;
     for (int i = 0; i < 2; ++i) {
       const double parallax = parallaxAt(T_cur_ref, seed->anchor.f[i], seed->belief[i].mu);
-      if (parallax < parameters_.mapping.search.min_parallax_deg * kDegree) m.outcome = SearchOutcome::low_parallax;
+      if (parallax < parameters_.mapping.search.min_parallax_deg * kDegree)
+        m.outcome = SearchOutcome::low_parallax;
     }
     if (s.status != FeatureStatus::inlier) m.outcome = SearchOutcome::no_match;
     const SeedStatus before = seed->status;
     applySegmentMeasurement(*seed, m, parameters_.mapping.filter);
     record_.segment_updates += m.outcome == SearchOutcome::tracked;
-    record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
+    record_.seeds_converged +=
+        seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
     setSeedPose(*seed, keyframe, s);
     if (seed->status == SeedStatus::rejected) s.status = FeatureStatus::outlier;
@@ -98,7 +106,8 @@ void Tracker::promoteSegments(Keyframe& keyframe) {
       continue;
     }
     SegmentSeed* seed = findSegmentSeed(s.keyframe_id, s.id);
-    if (!seed || seed->keyframe_id == keyframe.id || relativeSigma(*seed) > parameters_.mapping.segments.promote_sigma ||
+    if (!seed || seed->keyframe_id == keyframe.id ||
+        relativeSigma(*seed) > parameters_.mapping.segments.promote_sigma ||
         seed->belief[0].inlierRatio() < parameters_.mapping.filter.min_inlier_ratio)
       continue;
     seed->status = SeedStatus::promoted;
@@ -125,7 +134,8 @@ void Tracker::refineSegments() {
     if (s.origin != FeatureOrigin::landmark || s.status != FeatureStatus::inlier) continue;
     const auto it = map_.segments.find(s.id);
     if (it == map_.segments.end()) continue;
-    refineSegment(it->second, map_, parameters_.mapping.segments.line_noise_px, parameters_.quality.structure_iterations);
+    refineSegment(it->second, map_, parameters_.mapping.segments.line_noise_px,
+                  parameters_.quality.structure_iterations);
     for (int i = 0; i < 2; ++i) {
       s.p_world[i] = it->second.p_world[i];
       s.covariance[i] = it->second.covariance[i];
@@ -138,7 +148,8 @@ void Tracker::requestSegmentMeasurements() {
   if (!p.enabled) return;
   if (job_->new_seeds.wanted) {
     for (const TrackedSegment& s : frame_.segments) {
-      if (s.status == FeatureStatus::inlier) job_->segments.tracked.push_back({{s.anchor.px[0], s.anchor.px[1]}});
+      if (s.status == FeatureStatus::inlier)
+        job_->segments.tracked.push_back({{s.anchor.px[0], s.anchor.px[1]}});
     }
   }
   std::vector<std::int64_t> measured;
@@ -147,12 +158,17 @@ void Tracker::requestSegmentMeasurements() {
   }
   for (const int id : local_keyframes_) {
     const Keyframe* keyframe = map_.findKeyframe(id);
-    if (!keyframe || keyframe->frame_index == frame_.index || keyframe->segment_seeds.empty()) continue;
+    if (!keyframe || keyframe->frame_index == frame_.index || keyframe->segment_seeds.empty())
+      continue;
     auto& keyframes = job_->keyframes;
-    auto slot = std::find_if(keyframes.begin(), keyframes.end(), [id](const JobKeyframe& k) { return k.id == id; });
-    if (slot == keyframes.end()) slot = keyframes.insert(slot, {id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index, keyframe->scale});
+    auto slot = std::find_if(keyframes.begin(), keyframes.end(),
+                             [id](const JobKeyframe& k) { return k.id == id; });
+    if (slot == keyframes.end())
+      slot = keyframes.insert(slot, {id, keyframe->pyramid, keyframe->T_cam_world,
+                                     keyframe->frame_index, keyframe->scale});
     for (const SegmentSeed& seed : keyframe->segment_seeds) {
-      if (!alive(seed) || std::find(measured.begin(), measured.end(), seed.id) != measured.end()) continue;
+      if (!alive(seed) || std::find(measured.begin(), measured.end(), seed.id) != measured.end())
+        continue;
       if (static_cast<int>(job_->segments.seeds.size()) >= p.max_job_seeds) return;
       JobSegmentSeed wish{seed.id, static_cast<int>(slot - keyframes.begin()), seed.anchor, {}, {}};
       for (int i = 0; i < 2; ++i) {
@@ -172,7 +188,8 @@ void Tracker::applySegmentMapping(const MappingResult& result) {
     const SeedStatus before = seed->status;
     applySegmentMeasurement(*seed, m, filter);
     record_.segment_updates += m.outcome == SearchOutcome::matched;
-    record_.seeds_converged += seed->status == SeedStatus::converged && before == SeedStatus::active;
+    record_.seeds_converged +=
+        seed->status == SeedStatus::converged && before == SeedStatus::active;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;
   }
   Keyframe* keyframe = map_.findKeyframe(result.keyframe_id);
@@ -190,7 +207,9 @@ void Tracker::applySegmentMapping(const MappingResult& result) {
 void Tracker::dropEndedSegmentSeeds() {
   for (auto& [id, keyframe] : map_.keyframes) {
     auto& seeds = keyframe.segment_seeds;
-    seeds.erase(std::remove_if(seeds.begin(), seeds.end(), [](const SegmentSeed& s) { return !alive(s); }), seeds.end());
+    seeds.erase(
+        std::remove_if(seeds.begin(), seeds.end(), [](const SegmentSeed& s) { return !alive(s); }),
+        seeds.end());
     for (SegmentSeed& seed : seeds) seed.outcome = SearchOutcome::none;
   }
 }
@@ -209,7 +228,8 @@ void Tracker::followSegments() {
 
 void Tracker::disownSegments(int keyframe_id) {
   for (TrackedSegment& s : frame_.segments) {
-    const bool gone = s.origin == FeatureOrigin::landmark ? !map_.segments.count(s.id) : s.keyframe_id == keyframe_id;
+    const bool gone = s.origin == FeatureOrigin::landmark ? !map_.segments.count(s.id)
+                                                          : s.keyframe_id == keyframe_id;
     if (gone) s.status = FeatureStatus::outlier;
   }
 }

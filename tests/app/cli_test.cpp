@@ -34,7 +34,8 @@ TEST_F(CliTest, HelpAndVersion) {
   EXPECT_EQ(run("--version").out, "svoscope 0.1.0\n");
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"view", "run", "shot", "eval", "convert", "bench", "synth", "stress"}) {
+  for (const char* command :
+       {"view", "run", "shot", "eval", "convert", "bench", "synth", "stress"}) {
     EXPECT_NE(help.out.find(std::string("\n  ") + command), std::string::npos) << command;
     const Outcome own = run(std::string(command) + " --help");
     EXPECT_EQ(own.exit_code, 0) << command;

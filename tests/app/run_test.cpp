@@ -54,7 +54,9 @@ TEST_F(RunTest, WhereTheHeapPutsThingsDoesNotMatter) {
   for (const std::size_t length : {17, 35, 56, 90}) {
     const std::string name(length, 'b');
     ASSERT_EQ(run(name, common).exit_code, 0);
-    EXPECT_EQ(test::readText(folder / "a" / "trajectory.txt"), test::readText(folder / name / "trajectory.txt")) << length;
+    EXPECT_EQ(test::readText(folder / "a" / "trajectory.txt"),
+              test::readText(folder / name / "trajectory.txt"))
+        << length;
   }
 }
 
@@ -69,8 +71,9 @@ TEST_F(RunTest, TooFewFramesNeverInitialiseButFilesAreWritten) {
 TEST_F(RunTest, AnInterruptWritesWhatIsDone) {
   // Ctrl-C once the first rows are on disk, however slow the machine.
   const std::string csv = path("out") + "/frames.csv";
-  const Outcome outcome = run("out", "& pid=$!; for i in $(seq 600); do test -s " + csv +
-                                         " && break; sleep 0.1; done; sleep 0.3; kill -INT $pid; wait $pid; exit $?; true");
+  const Outcome outcome = run(
+      "out", "& pid=$!; for i in $(seq 600); do test -s " + csv +
+                 " && break; sleep 0.1; done; sleep 0.3; kill -INT $pid; wait $pid; exit $?; true");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_TRUE(fs::exists(folder / "out" / "metrics.json"));
 }

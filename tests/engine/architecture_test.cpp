@@ -46,15 +46,18 @@ std::string engineFolder(const std::string& path) {
 }
 
 TEST(Architecture, TheEngineKnowsNoDisplay) {
-  const std::regex display(R"(^(ui/|app/|.*imgui|GL/|GLES|KHR/|EGL/|GLFW/|glad|epoxy|osmesa|X11/).*)",
-                           std::regex::icase);
+  const std::regex display(
+      R"(^(ui/|app/|.*imgui|GL/|GLES|KHR/|EGL/|GLFW/|glad|epoxy|osmesa|X11/).*)",
+      std::regex::icase);
   const auto includes = includesOf("engine");
   EXPECT_GT(includes.size(), 300u);
-  for (const Include& i : includes) EXPECT_FALSE(std::regex_match(i.included, display)) << i.file << ": " << i.included;
+  for (const Include& i : includes)
+    EXPECT_FALSE(std::regex_match(i.included, display)) << i.file << ": " << i.included;
 }
 
 TEST(Architecture, TheUserInterfaceSeesResultsOnly) {
-  const std::set<std::string> allowed = {"base", "geometry", "snapshot", "runner", "eval", "study", "io"};
+  const std::set<std::string> allowed = {"base", "geometry", "snapshot", "runner",
+                                         "eval", "study",    "io"};
   for (const Include& i : includesOf("ui")) {
     EXPECT_NE(i.included.rfind("app/", 0), 0u) << i.file << ": " << i.included;
     const std::string folder = engineFolder(i.included);
@@ -65,15 +68,16 @@ TEST(Architecture, TheUserInterfaceSeesResultsOnly) {
 }
 
 TEST(Architecture, EngineFoldersLookDownwardsOnly) {
-  const std::vector<std::string> order = {"base",  "geometry", "eval",     "dataset",  "frame",  "detect",
-                                          "match", "mapping",  "tracking", "snapshot", "runner", "recording",
-                                          "study", "io",       "bench"};
+  const std::vector<std::string> order = {"base",   "geometry",  "eval",    "dataset",  "frame",
+                                          "detect", "match",     "mapping", "tracking", "snapshot",
+                                          "runner", "recording", "study",   "io",       "bench"};
   const auto rank = [&](const std::string& folder) {
     return std::find(order.begin(), order.end(), folder) - order.begin();
   };
   for (const Include& i : includesOf("engine")) {
     const std::string from = engineFolder(i.file), to = engineFolder(i.included);
-    EXPECT_LT(rank(from), static_cast<std::ptrdiff_t>(order.size())) << i.file << ": folder without a place in the order";
+    EXPECT_LT(rank(from), static_cast<std::ptrdiff_t>(order.size()))
+        << i.file << ": folder without a place in the order";
     if (to.empty() || to == "snapshot") continue;  // plain data, for all
     // What is in snapshot/ is seen by all and so must itself see little.
     const std::ptrdiff_t highest = from == "snapshot" ? rank("eval") : rank(from);

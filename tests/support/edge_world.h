@@ -13,8 +13,8 @@ namespace svoscope::test {
 struct EdgeWorld {
   Pinhole camera{320, 240, 260, 260, 159.5, 119.5};
   Vec3 a{-0.5, -0.35, 2.0}, b{0.6, 0.3, 2.8};  ///< on the edge, in the world
-  Vec3 side{0.4, -0.8, 0.1};                  ///< spans the plane together with the edge
-  double width = 0.006;                       ///< of the blurred step, map units
+  Vec3 side{0.4, -0.8, 0.1};                   ///< spans the plane together with the edge
+  double width = 0.006;                        ///< of the blurred step, map units
 
   PyramidPtr render(const SE3& T_cam_world) const {
     const Vec3 along = (b - a).normalized();
@@ -26,7 +26,8 @@ struct EdgeWorld {
         const Vec3 ray = T.quaternion() * camera.unproject({double(x), double(y)});
         const double s = normal.dot(a - T.translation()) / normal.dot(ray);
         const double d = across.dot(T.translation() + s * ray - a);
-        image.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(70 + 110 / (1 + std::exp(-d / width)));
+        image.at<std::uint8_t>(y, x) =
+            cv::saturate_cast<std::uint8_t>(70 + 110 / (1 + std::exp(-d / width)));
       }
     }
     return buildPyramid(image, 3);

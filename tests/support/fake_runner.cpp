@@ -5,16 +5,72 @@
 
 namespace svoscope {
 
-FakeRunner::FakeRunner(const FakeOptions& options) : options_(options), world_(options) { makeParameters(); }
+FakeRunner::FakeRunner(const FakeOptions& options) : options_(options), world_(options) {
+  makeParameters();
+}
 
 void FakeRunner::makeParameters() {
   const auto add = [this](ParameterView p) { parameters_.push_back(std::move(p)); };
-  add({"tracking.min_inliers", "40", "40", "", "inliers below this: lost", "int", 5, 500, {}, false});
-  add({"tracking.max_iterations", "10", "10", "", "Gauss-Newton iterations per level", "int", 1, 50, {}, false});
-  add({"reproject.cell_px", "28", "25", "px", "one feature is tried per cell", "int", 8, 100, {}, false});
-  add({"reproject.max_features", "180", "180", "", "features matched per frame", "int", 20, 1000, {}, false});
-  add({"seeds.rule", "js", "js", "", "divergence that weights a measurement", "choice", 0, 0, {"kl", "js"}, true});
-  add({"seeds.convergence", "0.005", "0.005", "", "sigma over range at which a seed has converged", "float", 0, 1, {}, false});
+  add({"tracking.min_inliers",
+       "40",
+       "40",
+       "",
+       "inliers below this: lost",
+       "int",
+       5,
+       500,
+       {},
+       false});
+  add({"tracking.max_iterations",
+       "10",
+       "10",
+       "",
+       "Gauss-Newton iterations per level",
+       "int",
+       1,
+       50,
+       {},
+       false});
+  add({"reproject.cell_px",
+       "28",
+       "25",
+       "px",
+       "one feature is tried per cell",
+       "int",
+       8,
+       100,
+       {},
+       false});
+  add({"reproject.max_features",
+       "180",
+       "180",
+       "",
+       "features matched per frame",
+       "int",
+       20,
+       1000,
+       {},
+       false});
+  add({"seeds.rule",
+       "js",
+       "js",
+       "",
+       "divergence that weights a measurement",
+       "choice",
+       0,
+       0,
+       {"kl", "js"},
+       true});
+  add({"seeds.convergence",
+       "0.005",
+       "0.005",
+       "",
+       "sigma over range at which a seed has converged",
+       "float",
+       0,
+       1,
+       {},
+       false});
   add({"seeds.edgelets", "true", "true", "", "make seeds on edges, too", "bool", 0, 0, {}, false});
   add({"pyramid.levels", "4", "4", "", "image pyramid levels", "int", 1, 8, {}, true});
 }
@@ -35,9 +91,16 @@ void FakeRunner::process() {
 void FakeRunner::send(const Command& command) {
   sent_.push_back(command);
   switch (command.kind) {
-    case Command::Kind::step: ++pending_steps_; break;
-    case Command::Kind::play: playing_ = true; run_to_ = Command::Kind::pause; break;
-    case Command::Kind::pause: playing_ = false; break;
+    case Command::Kind::step:
+      ++pending_steps_;
+      break;
+    case Command::Kind::play:
+      playing_ = true;
+      run_to_ = Command::Kind::pause;
+      break;
+    case Command::Kind::pause:
+      playing_ = false;
+      break;
     case Command::Kind::reset:
       history_.clear();
       records_.clear();
@@ -50,7 +113,8 @@ void FakeRunner::send(const Command& command) {
         if (p.key == command.key) p.value = command.value;
       }
       break;
-    case Command::Kind::set_speed: break;
+    case Command::Kind::set_speed:
+      break;
     default:
       playing_ = true;
       run_to_ = command.kind;
@@ -60,7 +124,8 @@ void FakeRunner::send(const Command& command) {
 
 bool FakeRunner::pump() {
   if (static_cast<int>(records_.size()) >= options_.frames) playing_ = false;
-  if (static_cast<int>(records_.size()) >= options_.frames || (!playing_ && pending_steps_ == 0)) return false;
+  if (static_cast<int>(records_.size()) >= options_.frames || (!playing_ && pending_steps_ == 0))
+    return false;
   if (pending_steps_ > 0) --pending_steps_;
   process();
   const FrameRecord& r = records_.back();
@@ -91,7 +156,8 @@ RunnerStatus FakeRunner::status() const {
 SnapshotPtr FakeRunner::at(int frame_index) const {
   if (history_.empty()) return nullptr;
   const int i = frame_index - history_.front()->record.index;
-  return i >= 0 && i < static_cast<int>(history_.size()) ? history_[static_cast<std::size_t>(i)] : nullptr;
+  return i >= 0 && i < static_cast<int>(history_.size()) ? history_[static_cast<std::size_t>(i)]
+                                                         : nullptr;
 }
 
 std::vector<FrameRecord> FakeRunner::records(int first) const {

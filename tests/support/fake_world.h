@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plausible snapshots of a camera moving through a room, with a two-view start, keyframes, a loss and
-// a relocalization.
+// Plausible snapshots of a camera moving through a room, with a two-view start, keyframes, a loss
+// and a relocalization.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,15 @@ namespace svoscope {
 struct FakeOptions {
   int frames = 240;
   int width = 640, height = 480;
-  int landmarks = 700;       ///< in the room
-  int seeds = 300;           ///< per snapshot, about
-  int start = 12;            ///< frame of the two-view start
+  int landmarks = 700;  ///< in the room
+  int seeds = 300;      ///< per snapshot, about
+  int start = 12;       ///< frame of the two-view start
   int lost_from = 140, lost_to = 148;
-  int history = 1000;        ///< snapshots held
+  int history = 1000;  ///< snapshots held
   bool ground_truth = true;
-  bool features = true;      ///< else every frame is empty
+  bool features = true;  ///< else every frame is empty
   std::string method = "it-svo";
-  double bend = 0;           ///< map units by which the estimate leaves the path per frame squared
+  double bend = 0;  ///< map units by which the estimate leaves the path per frame squared
 };
 
 using FakePyramid = std::shared_ptr<const std::vector<cv::Mat>>;

@@ -43,20 +43,23 @@ void FakeWorld::fillFeatures(Snapshot& s) const {
                             : FeatureOrigin::landmark;
     const double luck = fakeNoise(static_cast<int>(i), s.record.index);
     f.status = std::abs(luck) > 1.0 || (lost && i % 8) ? FeatureStatus::not_aligned
-               : luck > 0.8                           ? FeatureStatus::outlier
-                                                      : FeatureStatus::inlier;
+               : luck > 0.8                            ? FeatureStatus::outlier
+                                                       : FeatureStatus::inlier;
     f.level = static_cast<std::uint8_t>(i % 3);
     f.predicted_px = px.cast<float>();
     const double size = f.status == FeatureStatus::outlier ? 4 : room_[i].noise;
-    f.px = f.predicted_px + Vec2f(static_cast<float>(size * fakeNoise(static_cast<int>(i), s.record.index + 500)),
-                                  static_cast<float>(size * fakeNoise(static_cast<int>(i), s.record.index + 900)));
+    f.px = f.predicted_px +
+           Vec2f(static_cast<float>(size * fakeNoise(static_cast<int>(i), s.record.index + 500)),
+                 static_cast<float>(size * fakeNoise(static_cast<int>(i), s.record.index + 900)));
     f.direction = static_cast<float>(room_[i].direction);
     const double a = room_[i].direction + 1.5708, length = 60 / p.z();
-    f.px_end = f.px + Vec2f(static_cast<float>(std::cos(a) * length), static_cast<float>(std::sin(a) * length));
+    f.px_end = f.px + Vec2f(static_cast<float>(std::cos(a) * length),
+                            static_cast<float>(std::sin(a) * length));
     f.depth = static_cast<float>(p.z());
     f.residual_px = (f.px - f.predicted_px).norm();
     f.observations = 2 + static_cast<int>(i % 11);
-    f.reference_keyframe = std::max(0, (s.record.index - options_.start) / 9 - static_cast<int>(i % 3));
+    f.reference_keyframe =
+        std::max(0, (s.record.index - options_.start) / 9 - static_cast<int>(i % 3));
     ++n.tried;
     n.matched += f.status != FeatureStatus::not_aligned;
     n.inliers += f.status == FeatureStatus::inlier;
@@ -144,7 +147,9 @@ void FakeWorld::fillSeeds(Snapshot& s) const {
     if (options_.ground_truth) v.true_inv_distance = static_cast<float>(1 / (1.7 * distance));
     v.status = v.updates > 34 ? SeedStatus::converged : SeedStatus::active;
     v.outcome = i % 6 == 0 ? SearchOutcome::no_match : SearchOutcome::matched;
-    const auto along = [&](double inverse) { return Vec3(origin + ray.normalized() / std::max(0.05, inverse)); };
+    const auto along = [&](double inverse) {
+      return Vec3(origin + ray.normalized() / std::max(0.05, inverse));
+    };
     v.position = along(v.mu).cast<float>();
     v.position_near = along(v.mu + sigma).cast<float>();
     v.position_far = along(v.mu - sigma).cast<float>();

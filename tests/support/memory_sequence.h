@@ -25,7 +25,8 @@ class ChangedSequence : public Sequence {
   const Camera& camera() const override { return base_->camera(); }
   double timestamp(int index) const override { return base_->timestamp(index); }
   Result<SequenceImage> read(int index) override {
-    if (unreadable_.count(index)) return inputError("cannot be decoded", "frame.png", "check the file");
+    if (unreadable_.count(index))
+      return inputError("cannot be decoded", "frame.png", "check the file");
     auto image = base_->read(index);
     if (image.ok() && change_) change_(index, image.value().gray);
     return image;

@@ -7,8 +7,8 @@
 
 namespace svoscope::test {
 
-PlaneScene::PlaneScene(const Pinhole& camera, const Vec3& normal, double distance, double wavelength,
-                       unsigned seed)
+PlaneScene::PlaneScene(const Pinhole& camera, const Vec3& normal, double distance,
+                       double wavelength, unsigned seed)
     : camera_(camera), normal_(normal.normalized()), distance_(distance) {
   axis_u_ = Vec3::UnitY().cross(normal_).normalized();
   axis_v_ = normal_.cross(axis_u_);

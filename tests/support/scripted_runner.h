@@ -110,7 +110,8 @@ inline SnapshotPtr fakeSnapshot(const FrameRecord& record) {
   }
   points[3].position_end = Vec3f(6, -1, 4);
   snapshot->points = std::make_shared<const std::vector<MapPointView>>(points);
-  std::vector<KeyframeView> keyframes = {{0, 2, SE3(), nullptr, true}, {1, 7, SE3(), nullptr, true}};
+  std::vector<KeyframeView> keyframes = {{0, 2, SE3(), nullptr, true},
+                                         {1, 7, SE3(), nullptr, true}};
   snapshot->keyframes = std::make_shared<const std::vector<KeyframeView>>(keyframes);
   std::vector<SeedView> seeds(3);
   for (int i = 0; i < 3; ++i) {

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 std::optional<fs::path> dataFolder() {
   const char* variable = std::getenv("SVOSCOPE_DATA");
-  const fs::path folder = variable ? fs::path(variable) : fs::path(SVOSCOPE_SOURCE_DIR) / "../shared/data";
+  const fs::path folder =
+      variable ? fs::path(variable) : fs::path(SVOSCOPE_SOURCE_DIR) / "../shared/data";
   std::error_code ec;
   if (!fs::is_directory(folder, ec)) return std::nullopt;
   return folder;

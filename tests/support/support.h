@@ -31,6 +31,6 @@ std::string readText(const std::filesystem::path& file);
 
 }  // namespace svoscope::test
 
-#define SVOSCOPE_SKIP_WITHOUT_DATA(folder)                                                \
-  const auto folder = ::svoscope::test::dataFolder();                                     \
+#define SVOSCOPE_SKIP_WITHOUT_DATA(folder)            \
+  const auto folder = ::svoscope::test::dataFolder(); \
   if (!folder) GTEST_SKIP() << "real sequences absent: set SVOSCOPE_DATA to their folder"

@@ -30,17 +30,18 @@ inline std::vector<DrawnText> drawnTexts(const std::function<void()>& draw) {
     return std::strtof(svg.c_str() + at + key.size(), nullptr);
   };
   std::vector<DrawnText> texts;
-  for (std::size_t at = svg.find("<text "); at != std::string::npos; at = svg.find("<text ", at + 1)) {
+  for (std::size_t at = svg.find("<text "); at != std::string::npos;
+       at = svg.find("<text ", at + 1)) {
     const std::size_t open = svg.find('>', at) + 1, close = svg.find("</text>", open);
-    texts.push_back({number(at, " x"), number(at, " y"), number(at, " textLength"), number(at, " font-size"),
-                     svg.substr(open, close - open)});
+    texts.push_back({number(at, " x"), number(at, " y"), number(at, " textLength"),
+                     number(at, " font-size"), svg.substr(open, close - open)});
   }
   return texts;
 }
 
 inline int countOf(const std::vector<DrawnText>& texts, const std::string& text) {
-  return static_cast<int>(
-      std::count_if(texts.begin(), texts.end(), [&](const DrawnText& t) { return t.text == text; }));
+  return static_cast<int>(std::count_if(texts.begin(), texts.end(),
+                                        [&](const DrawnText& t) { return t.text == text; }));
 }
 
 inline bool anyHas(const std::vector<DrawnText>& texts, const std::string& part) {

@@ -52,8 +52,7 @@ std::string stateText(const FrameRecord& record) {
 std::string whereNow(const Runner& runner) {
   const RunnerStatus status = runner.status();
   std::string text = "after frame " + std::to_string(status.next_frame - 1);
-  if (const SnapshotPtr latest = runner.latest())
-    text += " (" + stateText(latest->record) + ")";
+  if (const SnapshotPtr latest = runner.latest()) text += " (" + stateText(latest->record) + ")";
   return text;
 }
 

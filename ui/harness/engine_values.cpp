@@ -41,7 +41,8 @@ RunMetrics metricsOf(const Now& now) {
 
 /// NaN without a result: no comparison holds then.
 ScriptValue truthValue(const Now& now, double TruthState::*value) {
-  const TruthState truth = alignTruth(now.runner.records(0), now.runner.info().ground_truth, AlignMode::sim3);
+  const TruthState truth =
+      alignTruth(now.runner.records(0), now.runner.info().ground_truth, AlignMode::sim3);
   return number(truth.valid ? truth.*value : NAN);
 }
 
@@ -72,7 +73,8 @@ const Named kValues[] = {
      [](const Now& n) {
        return number(countOf(n, [](const FrameRecord& r) { return r.pose_good; }));
      }},
-    {"tracked_fraction", [](const Now& n) { return number(metricsOf(n).tracked_fraction_after_init.value_or(0)); }},
+    {"tracked_fraction",
+     [](const Now& n) { return number(metricsOf(n).tracked_fraction_after_init.value_or(0)); }},
     {"start_frame", [](const Now& n) { return number(metricsOf(n).init_frame.value_or(-1)); }},
     {"losses", [](const Now& n) { return number(metricsOf(n).losses); }},
     {"ate", [](const Now& n) { return truthValue(n, &TruthState::ate_rmse); }},

@@ -35,21 +35,31 @@ Result<int> toCount(const std::vector<std::string>& words, int otherwise) {
 }
 
 const std::map<std::string, Executor::Action>& Executor::actions() {
-  static const std::map<std::string, Action> table = {
-      {"open", &Executor::open},     {"step", &Executor::step},
-      {"run-to", &Executor::runTo},  {"reset", &Executor::reset},
-      {"back", &Executor::back},     {"goto", &Executor::gotoFrame},
-      {"run", &Executor::showRun},
-      {"select", &Executor::select}, {"panel", &Executor::panel},
-      {"layout", &Executor::layout}, {"click", &Executor::click},
-      {"hover", &Executor::hover},   {"double-click", &Executor::doubleClick},
-      {"drag", &Executor::drag},     {"right-click", &Executor::rightClick},
-      {"wheel", &Executor::wheel},   {"key", &Executor::key},
-      {"type", &Executor::type},     {"wait", &Executor::wait},
-      {"set", &Executor::set},       {"scale", &Executor::scale},
-      {"size", &Executor::size},     {"shot", &Executor::shot},
-      {"export", &Executor::exportPanel},
-      {"expect", &Executor::expect}};
+  static const std::map<std::string, Action> table = {{"open", &Executor::open},
+                                                      {"step", &Executor::step},
+                                                      {"run-to", &Executor::runTo},
+                                                      {"reset", &Executor::reset},
+                                                      {"back", &Executor::back},
+                                                      {"goto", &Executor::gotoFrame},
+                                                      {"run", &Executor::showRun},
+                                                      {"select", &Executor::select},
+                                                      {"panel", &Executor::panel},
+                                                      {"layout", &Executor::layout},
+                                                      {"click", &Executor::click},
+                                                      {"hover", &Executor::hover},
+                                                      {"double-click", &Executor::doubleClick},
+                                                      {"drag", &Executor::drag},
+                                                      {"right-click", &Executor::rightClick},
+                                                      {"wheel", &Executor::wheel},
+                                                      {"key", &Executor::key},
+                                                      {"type", &Executor::type},
+                                                      {"wait", &Executor::wait},
+                                                      {"set", &Executor::set},
+                                                      {"scale", &Executor::scale},
+                                                      {"size", &Executor::size},
+                                                      {"shot", &Executor::shot},
+                                                      {"export", &Executor::exportPanel},
+                                                      {"expect", &Executor::expect}};
   return table;
 }
 

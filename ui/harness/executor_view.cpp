@@ -102,7 +102,8 @@ Status Executor::exportPanel(const ScriptCommand& c) {
   const std::string kind = file.extension().string();
   if (kind == ".png") return picture(file, panel);
   if (kind != ".csv" && kind != ".svg") {
-    return usageError("'" + c.arguments.back() + "' is no kind of file to export", "", "end it in .csv, .svg or .png");
+    return usageError("'" + c.arguments.back() + "' is no kind of file to export", "",
+                      "end it in .csv, .svg or .png");
   }
   gestures_.tick(kSettlingFrames - 1);
   Status status = stage_.target.requestExport(panel, file.string());

@@ -137,8 +137,9 @@ Status InspectorTarget::panelOnScreen(const std::string& name) const {
     return usageError("no panel is called '" + name + "'", "", listed(panelNames()));
   }
   if (!state_.maximized.empty() && state_.maximized != name) {
-    return usageError("the panel " + name + " is not on screen: " + state_.maximized + " is shown alone", "",
-                      "`panel all` first, or `panel " + name + "`");
+    return usageError(
+        "the panel " + name + " is not on screen: " + state_.maximized + " is shown alone", "",
+        "`panel all` first, or `panel " + name + "`");
   }
   if (state_.maximized.empty() && !hasPanel(state_.layout.root, name)) {
     return usageError("the panel " + name + " is not in the layout " + state_.layout.name, "",

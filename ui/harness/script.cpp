@@ -25,7 +25,8 @@ constexpr Syntax kSyntax[] = {
     {"goto", "N|live", 1, 1, "view a processed frame, or follow the engine"},
     {"reset", "", 0, 0, "start the run again"},
     {"run", "NAME", 1, -1, "make another open run the current one, by name or number"},
-    {"select", "feature ID|seed ID|at X Y|none", 1, 4, "an ID may be `any` or `any or none`; X Y are image pixels"},
+    {"select", "feature ID|seed ID|at X Y|none", 1, 4,
+     "an ID may be `any` or `any or none`; X Y are image pixels"},
     {"panel", "NAME", 1, -1, "show this panel alone; `panel all` shows the layout again"},
     {"layout", "NAME", 1, -1, "switch to a layout"},
     {"click", "LABEL", 1, -1, "press and release the left button on a widget"},
@@ -42,7 +43,8 @@ constexpr Syntax kSyntax[] = {
     {"size", "WxH", 1, 1, "size of the window in pixels"},
     {"shot", "FILE [PANEL]", 1, -1, "picture of the window or of one panel"},
     {"export", "PANEL FILE", 2, -1, "what a panel shows, as FILE.csv, .svg or .png"},
-    {"expect", "NAME OP VALUE", 3, -1, "stop unless it holds: == != < <= > >= has; NAME@RUN asks another run"},
+    {"expect", "NAME OP VALUE", 3, -1,
+     "stop unless it holds: == != < <= > >= has; NAME@RUN asks another run"},
 };
 
 const Syntax* findSyntax(const std::string& name) {
@@ -112,9 +114,11 @@ Result<ScriptCommand> parseCommand(const std::string& line, std::vector<std::str
                        std::string("write: ") + syntax->name + " " + syntax->arguments);
   }
   if (command.name == "shot") {
-    const std::string extension = std::filesystem::path(command.arguments.front()).extension().string();
+    const std::string extension =
+        std::filesystem::path(command.arguments.front()).extension().string();
     if (!extension.empty() && extension != ".png") {
-      return scriptError(script, command, "'" + command.arguments.front() + "' does not end in .png",
+      return scriptError(script, command,
+                         "'" + command.arguments.front() + "' does not end in .png",
                          "pictures are written as PNG");
     }
   }

@@ -41,7 +41,9 @@ class ScriptTarget {
   }
   virtual Status setLayout(const std::string& name) { return refuse("layout " + name); }
   /// Asks for the panel's numbers or charts in `file`, .csv or .svg; done in the next frame.
-  virtual Status requestExport(const std::string& panel, const std::string&) { return refuse("panel " + panel); }
+  virtual Status requestExport(const std::string& panel, const std::string&) {
+    return refuse("panel " + panel);
+  }
   /// What came of it.
   virtual Status exportResult() const { return Done{}; }
   virtual Status showRun(const std::string& name) { return refuse("run " + name); }

@@ -37,12 +37,14 @@ std::optional<ScriptValue> fieldValue(const SeedView& s, const std::string& name
 
 }  // namespace
 
-std::optional<ScriptValue> seedValue(const Snapshot* snapshot, const UiState& state, const std::string& name) {
+std::optional<ScriptValue> seedValue(const Snapshot* snapshot, const UiState& state,
+                                     const std::string& name) {
   if (name == "highlighted") return number(static_cast<double>(state.highlighted.size()));
   if (name == "pinned") return number(static_cast<double>(state.seed.pinned.size()));
   if (name == "seed.update") return number(state.seed.shown_update);
   if (name == "seed.held") return number(state.seed.held_updates);
-  if (name.rfind("seed.", 0) != 0 || !snapshot || state.selection.kind != Selection::Kind::seed) return std::nullopt;
+  if (name.rfind("seed.", 0) != 0 || !snapshot || state.selection.kind != Selection::Kind::seed)
+    return std::nullopt;
   const SeedView* seed = findSeed(*snapshot, state.selection.id);
   if (!seed) return std::nullopt;
   return fieldValue(*seed, name.substr(5));

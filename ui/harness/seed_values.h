@@ -11,9 +11,10 @@
 
 namespace svoscope::ui {
 
-/// "seed.mu", "seed.kl.sigma", "seed.js.ratio", "seed.updates", "seed.status", ...: of the selected seed
-/// in `snapshot`; "seed.update" and "seed.held": update looked at (from 1) and updates held;
+/// "seed.mu", "seed.kl.sigma", "seed.js.ratio", "seed.updates", "seed.status", ...: of the selected
+/// seed in `snapshot`; "seed.update" and "seed.held": update looked at (from 1) and updates held;
 /// "highlighted" and "pinned": how many seeds.
-std::optional<ScriptValue> seedValue(const Snapshot* snapshot, const UiState& state, const std::string& name);
+std::optional<ScriptValue> seedValue(const Snapshot* snapshot, const UiState& state,
+                                     const std::string& name);
 
 }  // namespace svoscope::ui

@@ -58,7 +58,8 @@ void fillPath(ComparedRun& out, const RunCache& rows, const Move& move) {
   const int map_id = mainMap(rows.records());
   for (std::size_t i = 0; i < out.path.size(); ++i) {
     const FrameRecord& r = rows.records()[i];
-    if (hasPoseIn(r, map_id)) out.path[i] = move(r.T_world_cam.translation()).template cast<float>();
+    if (hasPoseIn(r, map_id))
+      out.path[i] = move(r.T_world_cam.translation()).template cast<float>();
   }
   out.aligned = true;
 }

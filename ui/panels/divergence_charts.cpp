@@ -32,7 +32,8 @@ void DivergenceView::update(PanelContext& c) {
     low[r] = stats.convergence(r, 0.25);
     high[r] = stats.convergence(r, 0.75);
     steps[r].clear();
-    for (std::size_t i = 0; i < median[r].size(); ++i) steps[r].push_back(static_cast<float>(i + 1));
+    for (std::size_t i = 0; i < median[r].size(); ++i)
+      steps[r].push_back(static_cast<float>(i + 1));
     low[r].resize(steps[r].size(), NAN);
     high[r].resize(steps[r].size(), NAN);
   }
@@ -56,7 +57,8 @@ void histogram(Chart& chart, const Bins& bins, const LineStyle& style) {
   std::vector<float> x, y;
   const int n = static_cast<int>(bins.counts().size());
   for (int i = 0; i < n; ++i) {
-    const auto share = static_cast<float>(100.0 * bins.counts()[static_cast<std::size_t>(i)] / bins.total());
+    const auto share =
+        static_cast<float>(100.0 * bins.counts()[static_cast<std::size_t>(i)] / bins.total());
     for (const int edge : {i, i + 1}) {
       x.push_back(static_cast<float>(bins.edge(edge)));
       y.push_back(share);
@@ -75,7 +77,8 @@ double tallest(std::initializer_list<const Bins*> all) {
   return 1.1 * top;
 }
 
-ChartSpec binsSpec(const char* id, const char* title, const char* x_label, const Bins& bins, ImVec2 size) {
+ChartSpec binsSpec(const char* id, const char* title, const char* x_label, const Bins& bins,
+                   ImVec2 size) {
   ChartSpec spec;
   spec.id = id;
   spec.title = title;
@@ -100,7 +103,8 @@ void scatter(PanelContext& c, const DivergenceView& v, ImVec2 size) {
   spec.log_x = true;
   spec.y = {0, 0.75};
   spec.size = size;
-  spec.legend = {{"of the viewed frame", okabe::green, Swatch::dot}, {"before", ink::faint, Swatch::dot},
+  spec.legend = {{"of the viewed frame", okabe::green, Swatch::dot},
+                 {"before", ink::faint, Swatch::dot},
                  {"brushed", ink::highlight, Swatch::dot}};
   Chart chart(spec);
   chart.markY(kLogTwo, {ink::threshold, 1, true}, "limit log 2");
@@ -109,7 +113,9 @@ void scatter(PanelContext& c, const DivergenceView& v, ImVec2 size) {
     for (const UpdatePoint& p : v.points) {
       if ((p.frame == now) != current) continue;
       const bool marked = c.state.highlighted.count(p.seed_id) > 0;
-      const ImU32 color = marked ? ink::highlight : current ? okabe::green : withAlpha(ink::dim, 0.55f);
+      const ImU32 color = marked    ? ink::highlight
+                          : current ? okabe::green
+                                    : withAlpha(ink::dim, 0.55f);
       chart.point(onAxis(p.kl), p.jsd, PointShape::square, current || marked ? 2.0f : 1.2f, color);
     }
   };
@@ -137,8 +143,10 @@ void scatter(PanelContext& c, const DivergenceView& v, ImVec2 size) {
 }
 
 void klHistogram(const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec = binsSpec("KL histogram", "Kullback-Leibler", "nats (log); thin lines: medians", v.shown.kl, size);
-  spec.legend = {{"KL(p||q)", ruleColor(Rule::kl), Swatch::dashed}, {"KL(q||p)", okabe::purple, Swatch::line}};
+  ChartSpec spec = binsSpec("KL histogram", "Kullback-Leibler", "nats (log); thin lines: medians",
+                            v.shown.kl, size);
+  spec.legend = {{"KL(p||q)", ruleColor(Rule::kl), Swatch::dashed},
+                 {"KL(q||p)", okabe::purple, Swatch::line}};
   spec.y = {0, tallest({&v.shown.kl, &v.shown.kl_reverse})};
   Chart chart(spec);
   histogram(chart, v.shown.kl_reverse, {okabe::purple, 1.6f, false});
@@ -146,7 +154,8 @@ void klHistogram(const DivergenceView& v, ImVec2 size) {
 }
 
 void jsHistogram(const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec = binsSpec("JS histogram", "Jensen-Shannon", "nats, 0 to log 2", v.shown.jsd, size);
+  ChartSpec spec =
+      binsSpec("JS histogram", "Jensen-Shannon", "nats, 0 to log 2", v.shown.jsd, size);
   spec.legend = {{"JS", ruleColor(Rule::js), Swatch::line}};
   spec.y = {0, tallest({&v.shown.jsd})};
   Chart chart(spec);
@@ -154,14 +163,16 @@ void jsHistogram(const DivergenceView& v, ImVec2 size) {
 }
 
 void affinityHistogram(const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec = binsSpec("Affinity histogram", "Affinity w", "0: disjoint, 1: agree", v.shown.affinity, size);
+  ChartSpec spec =
+      binsSpec("Affinity histogram", "Affinity w", "0: disjoint, 1: agree", v.shown.affinity, size);
   spec.y = {0, tallest({&v.shown.affinity})};
   Chart chart(spec);
   histogram(chart, v.shown.affinity, {ruleColor(Rule::js), 1.6f, false});
 }
 
 void sigmaRatio(const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec = binsSpec("Sigma ratio", "σ of JS / σ of KL", "ratio (log); below 1: JS is surer", v.shown.sigma_ratio, size);
+  ChartSpec spec = binsSpec("Sigma ratio", "σ of JS / σ of KL", "ratio (log); below 1: JS is surer",
+                            v.shown.sigma_ratio, size);
   spec.y = {0, tallest({&v.shown.sigma_ratio})};
   if (v.shown.sigma_ratio.total() == 0) spec.title = "σ of JS / σ of KL: one rule is switched off";
   Chart chart(spec);
@@ -170,12 +181,15 @@ void sigmaRatio(const DivergenceView& v, ImVec2 size) {
 }
 
 void inlierRatios(PanelContext& c, const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec = binsSpec("Inlier ratios", "Inlier ratio after", "a / (a + b)", v.shown.ratio[0], size);
+  ChartSpec spec =
+      binsSpec("Inlier ratios", "Inlier ratio after", "a / (a + b)", v.shown.ratio[0], size);
   spec.legend = ruleLegend();
-  spec.y = {0, 1.25 * tallest({&v.shown.ratio[0], &v.shown.ratio[1]})};  // the label is above the bars
+  spec.y = {0,
+            1.25 * tallest({&v.shown.ratio[0], &v.shown.ratio[1]})};  // the label is above the bars
   Chart chart(spec);
   for (const Rule rule : kRules) {
-    histogram(chart, v.shown.ratio[static_cast<int>(rule)], {ruleColor(rule), 1.6f, rule == Rule::kl});
+    histogram(chart, v.shown.ratio[static_cast<int>(rule)],
+              {ruleColor(rule), 1.6f, rule == Rule::kl});
   }
   chart.markX(filterGates(c).min_ratio, {ink::threshold, 1, true}, "gate");
 }
@@ -214,7 +228,8 @@ void convergence(PanelContext& c, const DivergenceView& v, ImVec2 size) {
   ImGui::Text("After %d measurements, %d seeds", n, c.caches.filter.seedsWith(n));
   for (const Rule rule : kRules) {
     const auto& m = v.median[static_cast<int>(rule)];
-    if (n >= 1 && n <= static_cast<int>(m.size())) ImGui::Text("%s  median σ / R %.4f", ruleName(rule), m[static_cast<std::size_t>(n) - 1]);
+    if (n >= 1 && n <= static_cast<int>(m.size()))
+      ImGui::Text("%s  median σ / R %.4f", ruleName(rule), m[static_cast<std::size_t>(n) - 1]);
   }
   ImGui::EndTooltip();
 }
@@ -229,12 +244,15 @@ void coverage(const DivergenceView& v, ImVec2 size) {
   spec.x = spec.y = {0, 1};
   spec.size = size;
   for (const Rule rule : kRules) {
-    spec.legend.push_back({format("%s, median NEES %.2f", ruleName(rule), k.median_nees[static_cast<int>(rule)]),
-                           ruleColor(rule), rule == Rule::kl ? Swatch::dashed : Swatch::line});
+    spec.legend.push_back(
+        {format("%s, median NEES %.2f", ruleName(rule), k.median_nees[static_cast<int>(rule)]),
+         ruleColor(rule), rule == Rule::kl ? Swatch::dashed : Swatch::line});
   }
   Chart chart(spec);
   chart.line({0, 1}, {0, 1}, {ink::dim, 1, true});
-  for (const Rule rule : kRules) chart.line(k.expected, k.share[static_cast<int>(rule)], {ruleColor(rule), 1.8f, rule == Rule::kl});
+  for (const Rule rule : kRules)
+    chart.line(k.expected, k.share[static_cast<int>(rule)],
+               {ruleColor(rule), 1.8f, rule == Rule::kl});
   if (!chart.hovered()) return;
   ImGui::BeginTooltip();
   ImGui::TextUnformatted("On the diagonal σ tells the truth, below it the rule is too sure");
@@ -254,8 +272,9 @@ void errors(const DivergenceView& v, ImVec2 size) {
   spec.y = {0, 1};
   spec.size = size;
   for (const Rule rule : kRules) {
-    spec.legend.push_back({format("%s, median %.2f %%", ruleName(rule), 100 * k.median_error[static_cast<int>(rule)]),
-                           ruleColor(rule), rule == Rule::kl ? Swatch::dashed : Swatch::line});
+    spec.legend.push_back(
+        {format("%s, median %.2f %%", ruleName(rule), 100 * k.median_error[static_cast<int>(rule)]),
+         ruleColor(rule), rule == Rule::kl ? Swatch::dashed : Swatch::line});
   }
   Chart chart(spec);
   for (const Rule rule : kRules) {

@@ -19,30 +19,36 @@ void applyBrush(PanelContext& c, const std::vector<UpdatePoint>& points) {
   o.brush_changed = false;
   c.state.highlighted.clear();
   if (!o.brushed) return;
-  for (const std::int64_t id : brushed(points, o.x_lo, o.x_hi, o.y_lo, o.y_hi)) c.state.highlighted.insert(id);
+  for (const std::int64_t id : brushed(points, o.x_lo, o.x_hi, o.y_lo, o.y_hi))
+    c.state.highlighted.insert(id);
 }
 
 void toolbar(PanelContext& c, const std::vector<UpdatePoint>& points, bool complete) {
   DivergenceOptions& o = c.state.divergence;
   const FilterStats& stats = c.caches.filter;
-  if (button("Run so far", {"All measurements read from the history"}, o.whole_run)) o.whole_run = o.brush_changed = true;
+  if (button("Run so far", {"All measurements read from the history"}, o.whole_run))
+    o.whole_run = o.brush_changed = true;
   ImGui::SameLine(0, grid(0.5f));
   if (button("This frame", {"Measurements that came with the viewed frame"}, !o.whole_run)) {
     o.whole_run = false;
     o.brush_changed = true;
   }
   sameLineIfFits(buttonWidth("Clear brush"));
-  if (button("Clear brush", {"Highlight no seeds", o.brushed ? nullptr : "Drag a rectangle in the scatter to highlight seeds"})) {
+  if (button("Clear brush",
+             {"Highlight no seeds",
+              o.brushed ? nullptr : "Drag a rectangle in the scatter to highlight seeds"})) {
     o.brushed = false;
     c.state.highlighted.clear();
   }
   sameLineIfFits(buttonWidth("Export CSV"));
-  if (button("Export CSV", {"The measurements shown, one per row", points.empty() ? "There are none" : nullptr})) {
+  if (button("Export CSV", {"The measurements shown, one per row",
+                            points.empty() ? "There are none" : nullptr})) {
     exportText(c, "divergences.csv", statsCsv(points));
   }
   std::string text;
   if (o.whole_run) {
-    text = format("%d measurements in frames %d to %d", stats.measurements(), std::max(0, stats.first()), stats.next() - 1);
+    text = format("%d measurements in frames %d to %d", stats.measurements(),
+                  std::max(0, stats.first()), stats.next() - 1);
     if (static_cast<std::size_t>(stats.measurements()) > points.size()) {
       text += format(", the newest %d one by one", static_cast<int>(points.size()));
     }
@@ -50,7 +56,8 @@ void toolbar(PanelContext& c, const std::vector<UpdatePoint>& points, bool compl
   } else {
     text = format("%d measurements in frame %d", static_cast<int>(points.size()), c.viewedFrame());
   }
-  if (o.brushed) text += format(", %d seeds highlighted", static_cast<int>(c.state.highlighted.size()));
+  if (o.brushed)
+    text += format(", %d seeds highlighted", static_cast<int>(c.state.highlighted.size()));
   sameLineIfFits(ImGui::CalcTextSize(text.c_str()).x);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text.c_str());
@@ -71,7 +78,8 @@ void drawDivergencePanel(PanelContext& c) {
   toolbar(c, view.points, complete);
   ImGui::PopStyleVar();
   if (view.points.empty()) {
-    return emptyState(c.state.divergence.whole_run ? "No measurement of a seed yet" : "No seed was measured in this frame",
+    return emptyState(c.state.divergence.whole_run ? "No measurement of a seed yet"
+                                                   : "No seed was measured in this frame",
                       "Seeds are measured once the two-view start succeeded");
   }
   applyBrush(c, view.points);

@@ -24,7 +24,8 @@ struct DivergenceView {
     int frame = -2;
     bool whole_run = true;
     bool operator==(const Key& o) const {
-      return version == o.version && truth == o.truth && frame == o.frame && whole_run == o.whole_run;
+      return version == o.version && truth == o.truth && frame == o.frame &&
+             whole_run == o.whole_run;
     }
   };
   Key key_;

@@ -28,12 +28,15 @@ struct Patch {
 // Nearest-neighbour magnified, titled; gives the square it was drawn in.
 ImVec2 drawPatch(PanelContext& c, const Patch& patch, std::uint32_t slot, float side) {
   const float font = ImGui::GetFontSize();
-  const ImVec2 at = ImGui::GetCursorScreenPos(), lo{at.x, at.y + font + grid(0.5f)}, hi{lo.x + side, lo.y + side};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), lo{at.x, at.y + font + grid(0.5f)},
+               hi{lo.x + side, lo.y + side};
   ImDrawList* list = ImGui::GetWindowDrawList();
   pen::text(list, at, ink::text, patch.title);
   pen::rectFilled(list, lo, hi, ink::canvas);
   if (!patch.pixels.empty()) {
-    pen::image(list, c.graphics.image(kSlots + slot, patch.pixels, c.caches.search.version(), false), lo, hi, patch.pixels);
+    pen::image(list,
+               c.graphics.image(kSlots + slot, patch.pixels, c.caches.search.version(), false), lo,
+               hi, patch.pixels);
   } else {
     const ImVec2 size = ImGui::CalcTextSize("none");
     pen::text(list, {(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::dim, "none");
@@ -66,10 +69,12 @@ cv::Mat difference(const cv::Mat& a, const cv::Mat& b) {
   return d;
 }
 
-void footprint(const std::vector<Vec2f>& corners, const SeedView& seed, ImVec2 lo, float side, int pixels, int level) {
+void footprint(const std::vector<Vec2f>& corners, const SeedView& seed, ImVec2 lo, float side,
+               int pixels, int level) {
   if (corners.size() != 4 || pixels < 1) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const float zoom = side / static_cast<float>(pixels), unit = static_cast<float>(1 << std::min(level, 8));
+  const float zoom = side / static_cast<float>(pixels),
+              unit = static_cast<float>(1 << std::min(level, 8));
   ImVec2 p[4];
   for (int i = 0; i < 4; ++i) {
     const Vec2f d = (corners[static_cast<std::size_t>(i)] - seed.px_ref) / unit;
@@ -81,9 +86,11 @@ void footprint(const std::vector<Vec2f>& corners, const SeedView& seed, ImVec2 l
   pen::popClipRect(list);
 }
 
-void patches(PanelContext& c, const SearchDetail& d, const SeedView& seed, const SeedUpdateView& u, float side) {
+void patches(PanelContext& c, const SearchDetail& d, const SeedView& seed, const SeedUpdateView& u,
+             float side) {
   const SnapshotPtr searched = c.runner.at(u.frame_index);
-  const Patch reference{"Reference", d.patch_reference, format("level %d, keyframe %d", seed.level, seed.keyframe_id)};
+  const Patch reference{"Reference", d.patch_reference,
+                        format("level %d, keyframe %d", seed.level, seed.keyframe_id)};
   const ImVec2 lo = drawPatch(c, reference, 0, side);
   if (searched) {
     footprint(warpedFootprint(seed, u, *searched, c.info.camera, d.search_level), seed, lo, side,
@@ -124,36 +131,45 @@ struct ProfileLine {
 // Vertical lines of the profile over inverse distance, from left to right.
 std::vector<ProfileLine> profileLines(const SeedUpdateView& u, double sigmas) {
   const BeliefView& b = drawable(u.kl_before) ? u.kl_before : u.js_before;
-  std::vector<ProfileLine> lines{{b.mu - sigmas * b.sigma, {ink::dim, 1, true}, format("μ - %gσ", sigmas)},
-                                 {b.mu, {ink::text, 1, true}, "μ"},
-                                 {b.mu + sigmas * b.sigma, {ink::dim, 1, true}, format("μ + %gσ", sigmas)}};
+  std::vector<ProfileLine> lines{
+      {b.mu - sigmas * b.sigma, {ink::dim, 1, true}, format("μ - %gσ", sigmas)},
+      {b.mu, {ink::text, 1, true}, "μ"},
+      {b.mu + sigmas * b.sigma, {ink::dim, 1, true}, format("μ + %gσ", sigmas)}};
   if (u.tau > 0) lines.push_back({u.x, {ink::measurement, 1.5f, false}, "x ± τ"});
-  std::sort(lines.begin(), lines.end(), [](const ProfileLine& a, const ProfileLine& b2) { return a.x < b2.x; });
+  std::sort(lines.begin(), lines.end(),
+            [](const ProfileLine& a, const ProfileLine& b2) { return a.x < b2.x; });
   return lines;
 }
 
-void profileMarks(Chart& chart, const SearchDetail& d, const SeedUpdateView& u, const Profile& p, double sigmas) {
+void profileMarks(Chart& chart, const SearchDetail& d, const SeedUpdateView& u, const Profile& p,
+                  double sigmas) {
   const auto mark = [&](int i, PointShape shape, ImU32 color) {
     if (i >= 0 && i < static_cast<int>(p.x.size())) {
-      chart.point(p.x[static_cast<std::size_t>(i)], p.score[static_cast<std::size_t>(i)], shape, 5, color);
+      chart.point(p.x[static_cast<std::size_t>(i)], p.score[static_cast<std::size_t>(i)], shape, 5,
+                  color);
     }
   };
   if (p.pixels) {
     if (d.outcome == SearchOutcome::matched) {
-      chart.markX((d.px_match - d.profile.front().px).norm(), {ink::measurement, 1.5f, false}, "sub-pixel");
+      chart.markX((d.px_match - d.profile.front().px).norm(), {ink::measurement, 1.5f, false},
+                  "sub-pixel");
     }
   } else {
     if (u.tau > 0) chart.shadeX(u.x - u.tau, u.x + u.tau, withAlpha(ink::measurement, 0.18f));
-    for (const ProfileLine& line : profileLines(u, sigmas)) chart.markX(line.x, line.style, line.label);
+    for (const ProfileLine& line : profileLines(u, sigmas))
+      chart.markX(line.x, line.style, line.label);
   }
   // After the lines: its label makes way for them.
-  if (d.max_score > 0) chart.markY(d.max_score, {ink::threshold, 1, true}, format("accepted below %g", d.max_score));
+  if (d.max_score > 0)
+    chart.markY(d.max_score, {ink::threshold, 1, true}, format("accepted below %g", d.max_score));
   const bool accepted = bestAccepted(d);
   mark(d.second, PointShape::triangle, okabe::orange);
-  mark(d.best, accepted ? PointShape::diamond : PointShape::cross, accepted ? okabe::sky : ink::threshold);
+  mark(d.best, accepted ? PointShape::diamond : PointShape::cross,
+       accepted ? okabe::sky : ink::threshold);
 }
 
-void hoverProfile(PanelContext& c, Chart& chart, const SearchDetail& d, const SeedUpdateView& u, const Profile& p) {
+void hoverProfile(PanelContext& c, Chart& chart, const SearchDetail& d, const SeedUpdateView& u,
+                  const Profile& p) {
   if (!chart.hovered()) return;
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < p.x.size(); ++i) {
@@ -164,7 +180,8 @@ void hoverProfile(PanelContext& c, Chart& chart, const SearchDetail& d, const Se
   chart.markX(p.x[nearest], {withAlpha(ink::cursor, 0.6f), 1, false});
   chart.point(p.x[nearest], s.score, PointShape::circle, 3.5f, ink::cursor);
   ImGui::BeginTooltip();
-  ImGui::Text("Score %.1f, %s", s.score, s.score < d.max_score ? "below the limit" : "above the limit");
+  ImGui::Text("Score %.1f, %s", s.score,
+              s.score < d.max_score ? "below the limit" : "above the limit");
   ImGui::Text("%.4f 1/map unit", s.inv_distance);
   if (s.inv_distance > 0) ImGui::Text("%.3f map units", 1 / s.inv_distance);
   ImGui::Text("%.1f, %.1f px", s.px.x(), s.px.y());
@@ -175,8 +192,11 @@ std::string whyNoProfile(const SearchDetail& d) {
   const bool searched = d.outcome == SearchOutcome::matched || d.outcome == SearchOutcome::no_match;
   if (!searched) return format("Not searched: %s", searchOutcomeName(d.outcome));
   const float length = (d.px_near - d.px_far).norm();
-  return format("Not scanned: the line is %.1f px long, alignment alone decides. Step to an earlier update (,) to see "
-                "a score profile", std::isfinite(length) ? length : 0);
+  return format(
+      "Not scanned: the line is %.1f px long, alignment alone decides. Step to an earlier update "
+      "(,) to see "
+      "a score profile",
+      std::isfinite(length) ? length : 0);
 }
 
 void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) {
@@ -186,7 +206,8 @@ void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& 
   ChartSpec spec;
   spec.id = "Score profile";
   spec.title = "Zero-mean SSD along the line, grey² per px";
-  spec.x_label = p.pixels ? "Distance from the far end, px" : "Inverse distance, 1/map unit (far to near)";
+  spec.x_label =
+      p.pixels ? "Distance from the far end, px" : "Inverse distance, 1/map unit (far to near)";
   spec.x = padded(finiteRange(p.x.data(), static_cast<int>(p.x.size()), false), 0.03, false);
   const Range y = finiteRange(p.score.data(), static_cast<int>(p.score.size()), false);
   // Above the limit there is room for its label.
@@ -196,13 +217,15 @@ void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& 
   spec.mark_rows = p.pixels || !(u.tau > 0) ? 1 : 2;
   const bool accepted = bestAccepted(d);
   spec.legend = {{"score", ink::text, Swatch::line},
-                 {bestSampleText(d), accepted ? okabe::sky : ink::threshold, accepted ? Swatch::dot : Swatch::cross}};
+                 {bestSampleText(d), accepted ? okabe::sky : ink::threshold,
+                  accepted ? Swatch::dot : Swatch::cross}};
   if (d.second >= 0) spec.legend.push_back({"second best", okabe::orange, Swatch::dot});
   if (u.tau > 0) spec.legend.push_back({"sub-pixel result", ink::measurement, Swatch::line});
   Chart chart(spec);
   chart.line(p.x, p.score, {ink::text, 1.5f, false});
   if (p.x.size() < 120) {
-    for (std::size_t i = 0; i < p.x.size(); ++i) chart.point(p.x[i], p.score[i], PointShape::circle, 1.8f, ink::text);
+    for (std::size_t i = 0; i < p.x.size(); ++i)
+      chart.point(p.x[i], p.score[i], PointShape::circle, 1.8f, ink::text);
   }
   profileMarks(chart, d, u, p, filterGates(c).search_sigmas);
   hoverProfile(c, chart, d, u, p);
@@ -211,18 +234,22 @@ void profileChart(PanelContext& c, const SearchDetail& d, const SeedUpdateView& 
 std::string summary(const SearchDetail& d, const SeedUpdateView& u) {
   std::string text = format("Frame %d: %s", u.frame_index, searchOutcomeName(d.outcome));
   const int n = static_cast<int>(d.profile.size());
-  if (d.best >= 0 && d.best < n) text += format(", best %.0f", d.profile[static_cast<std::size_t>(d.best)].score);
+  if (d.best >= 0 && d.best < n)
+    text += format(", best %.0f", d.profile[static_cast<std::size_t>(d.best)].score);
   if (d.second >= 0 && d.second < n) {
-    const float best = d.profile[static_cast<std::size_t>(d.best)].score, second = d.profile[static_cast<std::size_t>(d.second)].score;
+    const float best = d.profile[static_cast<std::size_t>(d.best)].score,
+                second = d.profile[static_cast<std::size_t>(d.second)].score;
     text += format(", second %.0f", second);
     if (best > 0) text += format(" (%.1f times)", second / best);
   }
-  if ((d.px_near - d.px_far).allFinite()) text += format(", line %.1f px, %d samples", (d.px_near - d.px_far).norm(), n);
+  if ((d.px_near - d.px_far).allFinite())
+    text += format(", line %.1f px, %d samples", (d.px_near - d.px_far).norm(), n);
   return text;
 }
 
 void shareLine(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) {
-  c.state.search_line = {true, u.frame_index, d.px_near, d.px_far, d.px_match, d.outcome == SearchOutcome::matched};
+  c.state.search_line = {true,     u.frame_index, d.px_near,
+                         d.px_far, d.px_match,    d.outcome == SearchOutcome::matched};
 }
 
 }  // namespace
@@ -232,11 +259,12 @@ void drawEpipolarPanel(PanelContext& c) {
   if (saysNoSeed(c, v)) return;
   if (saysNoUpdate(c, *v.trace)) return;
   if (!v.update || !v.trace->last) {
-    return emptyState("No search to show", "Nothing that was held so far updated this seed up to the viewed frame");
+    return emptyState("No search to show",
+                      "Nothing that was held so far updated this seed up to the viewed frame");
   }
   const SeedUpdateView& u = *v.update;
-  const SearchDetail* d = c.caches.search.find(c.runner, *v.trace->last, u, v.index,
-                                                  v.trace->published[static_cast<std::size_t>(v.index)]);
+  const SearchDetail* d = c.caches.search.find(
+      c.runner, *v.trace->last, u, v.index, v.trace->published[static_cast<std::size_t>(v.index)]);
   if (!d) return emptyState("The search cannot be shown", c.caches.search.problem());
   shareLine(c, *d, u);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
@@ -244,10 +272,12 @@ void drawEpipolarPanel(PanelContext& c) {
   ImGui::Text("Seed %lld, update %d of %d", static_cast<long long>(u.seed_id), v.index + 1,
               static_cast<int>(v.trace->updates.size()));
   sameLineIfFits(buttonWidth("Pixels"));
-  toggle("Pixels", c.state.seed.profile_in_pixels, "Profile over pixels along the line instead of inverse distance");
+  toggle("Pixels", c.state.seed.profile_in_pixels,
+         "Profile over pixels along the line instead of inverse distance");
   sameLineIfFits(buttonWidth("Show frame"));
   const bool held = u.frame_index >= c.status.history_first;
-  if (button("Show frame", {"View the frame that was searched", held ? nullptr : "That frame is no longer held"})) {
+  if (button("Show frame", {"View the frame that was searched",
+                            held ? nullptr : "That frame is no longer held"})) {
     const int update = v.index;
     c.view(u.frame_index);
     c.state.seed.update = update;
@@ -256,8 +286,9 @@ void drawEpipolarPanel(PanelContext& c) {
   }
   sameLineIfFits(buttonWidth("Export CSV"));
   if (button("Export CSV", {"The score profile"})) {
-    exportText(c, format("search_%lld_frame%05d.csv", static_cast<long long>(u.seed_id), u.frame_index),
-               profileCsv(*d, u.seed_id, u.frame_index));
+    exportText(
+        c, format("search_%lld_frame%05d.csv", static_cast<long long>(u.seed_id), u.frame_index),
+        profileCsv(*d, u.seed_id, u.frame_index));
   }
   ImGui::PopStyleVar();
   note(summary(*d, u));

@@ -48,7 +48,8 @@ void runRows(PanelContext& c) {
   valueRow("Tracked", format("%d of %d frames", good, frames));
   valueRow("Start", start < 0 ? std::string("not yet") : format("frame %d", start));
   valueRow("Losses", format("%d", losses));
-  if (maps > 1) valueRow("Maps", format("%d; errors and path are those of the one with most poses", maps));
+  if (maps > 1)
+    valueRow("Maps", format("%d; errors and path are those of the one with most poses", maps));
 }
 
 void errorPlot(PanelContext& c) {
@@ -59,8 +60,8 @@ void errorPlot(PanelContext& c) {
   spec.marks = &c.caches.run.marks();
   spec.cursor = c.viewedFrame();
   spec.size = {0, std::max(ImGui::GetFontSize() * 8, ImGui::GetContentRegionAvail().y - grid(1))};
-  spec.series.push_back({methodName(c.info.method), &c.caches.run.frames(), &c.caches.truth.state().error,
-                         methodColor(c.info.method)});
+  spec.series.push_back({methodName(c.info.method), &c.caches.run.frames(),
+                         &c.caches.truth.state().error, methodColor(c.info.method)});
   PlotState& state = c.state.plots["Error over time"];
   const PlotResult result = plot(spec, state, c.state.linked_x);
   if (result.clicked) c.view(std::max(0, static_cast<int>(result.clicked_x)));
@@ -79,10 +80,12 @@ void drawEvaluationPanel(PanelContext& c) {
   }
   static const std::vector<const char*> modes{"No alignment", "SE(3)", "Sim(3)"};
   combo("##alignment", c.state.align_mode, modes, ImGui::GetFontSize() * 8,
-        "How the estimate is brought to the ground truth; one camera alone cannot know the scale, so Sim(3)");
+        "How the estimate is brought to the ground truth; one camera alone cannot know the scale, "
+        "so Sim(3)");
   const TruthState& s = c.caches.truth.state();
   if (!s.valid) {
-    std::string why = s.problem.empty() ? std::string("needs three poses with ground truth") : s.problem;
+    std::string why =
+        s.problem.empty() ? std::string("needs three poses with ground truth") : s.problem;
     why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
     return emptyState("No error yet", why);
   }

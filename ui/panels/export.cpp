@@ -15,8 +15,8 @@ std::string trajectoryText(const std::vector<FrameRecord>& records) {
     if (!hasPoseIn(r, map_id)) continue;
     const Vec3& t = r.T_world_cam.translation();
     const Eigen::Quaterniond& q = r.T_world_cam.quaternion();
-    text += format("%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n", r.timestamp, t.x(), t.y(), t.z(), q.x(), q.y(),
-                   q.z(), q.w());
+    text += format("%.6f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n", r.timestamp, t.x(), t.y(), t.z(),
+                   q.x(), q.y(), q.z(), q.w());
   }
   return text;
 }

@@ -41,15 +41,20 @@ double Bins::quantile(double q) const {
       sum += counts_[i];
       continue;
     }
-    const double f = (wanted - sum) / counts_[i], t = (static_cast<double>(i) + f) / static_cast<double>(counts_.size());
+    const double f = (wanted - sum) / counts_[i],
+                 t = (static_cast<double>(i) + f) / static_cast<double>(counts_.size());
     return log_ ? lo_ * std::pow(hi_ / lo_, t) : lo_ + t * (hi_ - lo_);
   }
   return hi_;
 }
 
 FilterDistributions::FilterDistributions()
-    : kl(1e-3, 1e4, 56, true), kl_reverse(1e-3, 1e4, 56, true), jsd(0, 0.6931472, 40, false), affinity(0, 1, 40, false),
-      sigma_ratio(0.25, 4, 64, true), ratio{Bins(0, 1, 50, false), Bins(0, 1, 50, false)} {}
+    : kl(1e-3, 1e4, 56, true),
+      kl_reverse(1e-3, 1e4, 56, true),
+      jsd(0, 0.6931472, 40, false),
+      affinity(0, 1, 40, false),
+      sigma_ratio(0.25, 4, 64, true),
+      ratio{Bins(0, 1, 50, false), Bins(0, 1, 50, false)} {}
 
 void FilterDistributions::add(const UpdatePoint& p) {
   kl.add(p.kl);
@@ -63,7 +68,8 @@ void FilterDistributions::add(const UpdatePoint& p) {
 }
 
 void FilterDistributions::clear() {
-  for (Bins* b : {&kl, &kl_reverse, &jsd, &affinity, &sigma_ratio, &ratio[0], &ratio[1]}) b->clear();
+  for (Bins* b : {&kl, &kl_reverse, &jsd, &affinity, &sigma_ratio, &ratio[0], &ratio[1]})
+    b->clear();
 }
 
 namespace {
@@ -86,7 +92,9 @@ UpdatePoint pointOf(const SeedUpdateView& u, const SeedView* seed, int frame) {
   return p;
 }
 
-bool measured(const SeedUpdateView& u) { return std::isfinite(u.x) && std::isfinite(u.tau) && u.tau > 0; }
+bool measured(const SeedUpdateView& u) {
+  return std::isfinite(u.x) && std::isfinite(u.tau) && u.tau > 0;
+}
 
 using SeedIndex = std::unordered_map<std::int64_t, const SeedView*>;
 
@@ -149,7 +157,8 @@ void FilterStats::read(const Snapshot& s) {
     // Several measurements of a seed in one snapshot count at its newest number of updates.
     if (!seed || seed->updates < 1 || seed->updates > kMostUpdates || !(seed->range > 0)) return;
     for (std::size_t r = 0; r < 2; ++r) {
-      if (p.sigma[r] > 0) by_updates_[r][static_cast<std::size_t>(seed->updates) - 1].add(p.sigma[r] / seed->range);
+      if (p.sigma[r] > 0)
+        by_updates_[r][static_cast<std::size_t>(seed->updates) - 1].add(p.sigma[r] / seed->range);
     }
   });
   ++version_;
@@ -166,11 +175,13 @@ std::vector<float> FilterStats::convergence(int rule, double q) const {
 
 int FilterStats::seedsWith(int updates) const {
   const auto& bins = by_updates_[0];
-  return updates >= 1 && updates <= static_cast<int>(bins.size()) ? bins[static_cast<std::size_t>(updates) - 1].total() : 0;
+  return updates >= 1 && updates <= static_cast<int>(bins.size())
+             ? bins[static_cast<std::size_t>(updates) - 1].total()
+             : 0;
 }
 
-std::vector<std::int64_t> brushed(const std::vector<UpdatePoint>& points, double kl_lo, double kl_hi, double jsd_lo,
-                                  double jsd_hi) {
+std::vector<std::int64_t> brushed(const std::vector<UpdatePoint>& points, double kl_lo,
+                                  double kl_hi, double jsd_lo, double jsd_hi) {
   std::set<std::int64_t> ids;
   for (const UpdatePoint& p : points) {
     if (p.kl >= kl_lo && p.kl <= kl_hi && p.jsd >= jsd_lo && p.jsd <= jsd_hi) ids.insert(p.seed_id);
@@ -204,8 +215,10 @@ Calibration calibrate(const std::vector<UpdatePoint>& points, double scale) {
     const double k = 4.0 * i / 60;
     out.expected.push_back(static_cast<float>(std::erf(k / 1.4142135623730951)));
     for (int r = 0; r < 2; ++r) {
-      const auto below = std::upper_bound(z[r].begin(), z[r].end(), static_cast<float>(k)) - z[r].begin();
-      out.share[r].push_back(z[r].empty() ? NAN : static_cast<float>(below) / static_cast<float>(z[r].size()));
+      const auto below =
+          std::upper_bound(z[r].begin(), z[r].end(), static_cast<float>(k)) - z[r].begin();
+      out.share[r].push_back(
+          z[r].empty() ? NAN : static_cast<float>(below) / static_cast<float>(z[r].size()));
     }
   }
   return out;
@@ -213,12 +226,14 @@ Calibration calibrate(const std::vector<UpdatePoint>& points, double scale) {
 
 std::string statsCsv(const std::vector<UpdatePoint>& points) {
   std::string text =
-      "seed,frame,kl_belief_measurement,kl_measurement_belief,jsd,affinity,kl_mu,kl_sigma,kl_inlier_ratio,js_mu,"
+      "seed,frame,kl_belief_measurement,kl_measurement_belief,jsd,affinity,kl_mu,kl_sigma,kl_"
+      "inlier_ratio,js_mu,"
       "js_sigma,js_inlier_ratio,true_inverse_distance_per_m\n";
   for (const UpdatePoint& p : points) {
-    text += format("%lld,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.9g,%.9g,%.6g,%.9g\n", static_cast<long long>(p.seed_id),
-                   p.frame, p.kl, p.kl_reverse, p.jsd, p.affinity, p.mu[0], p.sigma[0], p.ratio[0], p.mu[1], p.sigma[1],
-                   p.ratio[1], p.true_inv_distance);
+    text += format("%lld,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.9g,%.9g,%.6g,%.9g\n",
+                   static_cast<long long>(p.seed_id), p.frame, p.kl, p.kl_reverse, p.jsd,
+                   p.affinity, p.mu[0], p.sigma[0], p.ratio[0], p.mu[1], p.sigma[1], p.ratio[1],
+                   p.true_inv_distance);
   }
   return text;
 }

@@ -14,16 +14,17 @@ namespace svoscope::ui {
 /// Equal bins of a value or of its decimal logarithm; what lies outside counts in the end bins.
 class Bins {
  public:
-  Bins(double lo, double hi, int count, bool log) : lo_(lo), hi_(hi), log_(log), counts_(static_cast<std::size_t>(count)) {}
-  void add(double value);   ///< NaN is left out
+  Bins(double lo, double hi, int count, bool log)
+      : lo_(lo), hi_(hi), log_(log), counts_(static_cast<std::size_t>(count)) {}
+  void add(double value);  ///< NaN is left out
   void clear();
   int total() const { return total_; }
   double lo() const { return lo_; }
   double hi() const { return hi_; }
   bool log() const { return log_; }
   const std::vector<int>& counts() const { return counts_; }
-  double edge(int i) const;             ///< lower edge of bin i
-  double quantile(double q) const;      ///< interpolated within the bin; NaN if empty
+  double edge(int i) const;         ///< lower edge of bin i
+  double quantile(double q) const;  ///< interpolated within the bin; NaN if empty
 
  private:
   double lo_, hi_;
@@ -38,8 +39,9 @@ struct UpdatePoint {
   int frame = -1;                ///< of the snapshot
   float kl = 0, kl_reverse = 0;  ///< KL(belief || measurement), KL(measurement || belief), nats
   float jsd = 0, affinity = 0;
-  float mu[2] = {0, 0}, sigma[2] = {0, 0}, ratio[2] = {0, 0};  ///< after, by rule; sigma 0: not computed
-  float true_inv_distance = 0;   ///< metres; 0 if unknown
+  float mu[2] = {0, 0}, sigma[2] = {0, 0},
+        ratio[2] = {0, 0};      ///< after, by rule; sigma 0: not computed
+  float true_inv_distance = 0;  ///< metres; 0 if unknown
 };
 
 /// Distributions of one scope: the run so far, or one frame.
@@ -54,7 +56,7 @@ class FilterStats {
  public:
   static constexpr std::size_t kMostPoints = 6000;  ///< newest measurements kept one by one
   static constexpr int kMostUpdates = 120;          ///< of the convergence curves
-  static constexpr int kSnapshotsPerCall = 120;     ///< so that catching up does not stall the window
+  static constexpr int kSnapshotsPerCall = 120;  ///< so that catching up does not stall the window
 
   /// Reads snapshots that are new; starts again after a reset. True if nothing is left to read.
   bool update(const Runner& runner, const SnapshotPtr& latest);
@@ -66,7 +68,8 @@ class FilterStats {
   int first() const { return first_; }                ///< oldest frame that was read
   std::uint64_t version() const { return version_; }
 
-  /// Quantile of sigma / R by number of measurements (from 1), of all seeds read; NaN below 5 seeds.
+  /// Quantile of sigma / R by number of measurements (from 1), of all seeds read; NaN below 5
+  /// seeds.
   std::vector<float> convergence(int rule, double q) const;
   int seedsWith(int updates) const;
 
@@ -84,15 +87,16 @@ class FilterStats {
 std::vector<UpdatePoint> pointsOf(const Snapshot& snapshot);
 
 /// Seeds whose points lie in a rectangle of the scatter.
-std::vector<std::int64_t> brushed(const std::vector<UpdatePoint>& points, double kl_lo, double kl_hi, double jsd_lo,
-                                  double jsd_hi);
+std::vector<std::int64_t> brushed(const std::vector<UpdatePoint>& points, double kl_lo,
+                                  double kl_hi, double jsd_lo, double jsd_hi);
 
 /// Errors against the truth, by rule. `scale`: metres per map unit.
 struct Calibration {
   int count = 0;
-  std::vector<float> share[2];     ///< of errors within ...
-  std::vector<float> expected;     ///< ... as many standard deviations as cover this share of a Gaussian
-  std::vector<float> error[2];     ///< sorted relative distance errors
+  std::vector<float> share[2];  ///< of errors within ...
+  std::vector<float>
+      expected;  ///< ... as many standard deviations as cover this share of a Gaussian
+  std::vector<float> error[2];  ///< sorted relative distance errors
   double median_nees[2] = {0, 0}, median_error[2] = {0, 0};
 };
 Calibration calibrate(const std::vector<UpdatePoint>& points, double scale);

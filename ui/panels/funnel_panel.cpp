@@ -17,14 +17,16 @@ struct Bar {
   const char* meaning;
 };
 
-// `before`: count of the step before, 0 for the first step, -1 if nothing was counted in this frame.
+// `before`: count of the step before, 0 for the first step, -1 if nothing was counted in this
+// frame.
 void drawBar(const Bar& bar, int full, int before, int threshold, bool failed) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float h = ImGui::GetTextLineHeight() + grid(0.5f), name = ImGui::GetFontSize() * 6;
   const float value = ImGui::GetFontSize() * 6;
   const float room = std::max(8.0f, ImGui::GetContentRegionAvail().x - name - value);
   const auto length = [&](int n) {
-    return room * static_cast<float>(std::clamp(n, 0, full)) / static_cast<float>(std::max(1, full));
+    return room * static_cast<float>(std::clamp(n, 0, full)) /
+           static_cast<float>(std::max(1, full));
   };
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddText(at, ink::dim, bar.name);
@@ -40,34 +42,40 @@ void drawBar(const Bar& bar, int full, int before, int threshold, bool failed) {
   list->AddText({x + room + grid(2), at.y}, failed ? okabe::orange : ink::text, count.c_str());
   if (before > 0) {
     const std::string share = format("%d%%", static_cast<int>(100.0 * bar.count / before + 0.5));
-    list->AddText({x + room + value - ImGui::CalcTextSize(share.c_str()).x, at.y}, ink::dim, share.c_str());
+    list->AddText({x + room + value - ImGui::CalcTextSize(share.c_str()).x, at.y}, ink::dim,
+                  share.c_str());
   }
   ImGui::Dummy({name + room + value, h});
   tooltip(bar.meaning);
 }
 
 void bars(const Funnel& f, bool judged) {
-  const Bar bars[] = {{"Candidates", f.candidates, "Landmarks and seeds of the local map"},
-                      {"Projected", f.projected, "Candidates that fall into the image"},
-                      {"Tried", f.tried, "Feature alignments attempted, at most one per grid cell"},
-                      {"Matched", f.matched, "Feature alignments that converged"},
-                      {"Inliers", f.inliers, "Left after pose refinement; below the mark tracking is lost"}};
-  const int full = std::max({f.candidates, f.projected, f.tried, f.matched, f.inliers, f.required, 1});
+  const Bar bars[] = {
+      {"Candidates", f.candidates, "Landmarks and seeds of the local map"},
+      {"Projected", f.projected, "Candidates that fall into the image"},
+      {"Tried", f.tried, "Feature alignments attempted, at most one per grid cell"},
+      {"Matched", f.matched, "Feature alignments that converged"},
+      {"Inliers", f.inliers, "Left after pose refinement; below the mark tracking is lost"}};
+  const int full =
+      std::max({f.candidates, f.projected, f.tried, f.matched, f.inliers, f.required, 1});
   int before = judged ? 0 : -1;
   for (const Bar& bar : bars) {
     const bool last = bar.name == bars[4].name;
-    drawBar(bar, full, before, last ? f.required : 0, last && f.required > 0 && f.inliers < f.required);
+    drawBar(bar, full, before, last ? f.required : 0,
+            last && f.required > 0 && f.inliers < f.required);
     if (judged) before = bar.count;
   }
 }
 
 void inlierRows(const Funnel& f) {
-  valueRow("Inliers", counted(f.inlier_landmarks, "landmark") + ", " + counted(f.inlier_seeds, "seed"));
+  valueRow("Inliers",
+           counted(f.inlier_landmarks, "landmark") + ", " + counted(f.inlier_seeds, "seed"));
   const int corners = std::max(0, f.inliers - f.inlier_edgelets - f.inlier_segments);
-  valueRow("Of type", counted(corners, "corner") + ", " + counted(f.inlier_edgelets, "edgelet") + ", " +
-                          counted(f.inlier_segments, "segment"));
+  valueRow("Of type", counted(corners, "corner") + ", " + counted(f.inlier_edgelets, "edgelet") +
+                          ", " + counted(f.inlier_segments, "segment"));
   if (f.followed_segments)
-    valueRow("Followed", counted(f.followed_segments, "segment") + ", matched but kept out of the pose");
+    valueRow("Followed",
+             counted(f.followed_segments, "segment") + ", matched but kept out of the pose");
   valueRow("Required", counted(f.required, "inlier"));
 }
 
@@ -83,14 +91,19 @@ void trackingFunnel(const FrameRecord& r) {
     inlierRows(f);
   }
   if (f.aligned_sparse > 0) {
-    valueRow("Sparse alignment", format("%d patches, RMSE %.1f levels", f.aligned_sparse, r.align_rmse));
+    valueRow("Sparse alignment",
+             format("%d patches, RMSE %.1f levels", f.aligned_sparse, r.align_rmse));
   } else {
     missingRow("Sparse alignment", "Not aligned to the frame before");
   }
-  if (r.pose_good && f.inliers > 0) valueRow("Reprojection", format("%.2f px median", r.reprojection_px));
-  else missingRow("Reprojection", "Only of frames with a pose");
-  if (f.aligned_sparse > 0) valueRow("Brightness", format("gain %.3f, offset %+.1f", r.gain, r.offset));
-  else missingRow("Brightness", "Not aligned to the frame before");
+  if (r.pose_good && f.inliers > 0)
+    valueRow("Reprojection", format("%.2f px median", r.reprojection_px));
+  else
+    missingRow("Reprojection", "Only of frames with a pose");
+  if (f.aligned_sparse > 0)
+    valueRow("Brightness", format("gain %.3f, offset %+.1f", r.gain, r.offset));
+  else
+    missingRow("Brightness", "Not aligned to the frame before");
 }
 
 void startRows(const FrameRecord& r) {
@@ -103,25 +116,30 @@ void startRows(const FrameRecord& r) {
 
 void drawFunnelPanel(PanelContext& c) {
   if (!c.record) {
-    return emptyState("No frame yet", "Shows how many features survive each step, and why tracking was lost");
+    return emptyState("No frame yet",
+                      "Shows how many features survive each step, and why tracking was lost");
   }
   const FrameRecord& r = *c.record;
   ImGui::Text("Frame %d", r.index);
   ImGui::SameLine();
   legendEntry(stateColor(r.state), Swatch::dot, stateLabel(r.state));
-  if (r.state == TrackingState::initializing) startRows(r);
-  else trackingFunnel(r);
+  if (r.state == TrackingState::initializing)
+    startRows(r);
+  else
+    trackingFunnel(r);
   heading("Why");
   valueRow("State", r.reason.empty() ? stateLabel(r.state) : r.reason,
            r.state == TrackingState::lost ? okabe::orange : 0);
   if (!r.keyframe_reason.empty()) {
-    valueRow("Keyframe", (r.is_keyframe ? format("taken as %d, ", r.keyframe_id) : "not taken, ") + r.keyframe_reason);
+    valueRow("Keyframe", (r.is_keyframe ? format("taken as %d, ", r.keyframe_id) : "not taken, ") +
+                             r.keyframe_reason);
   }
   if (r.relocalized) valueRow("Relocalized", "first good pose after a loss", okabe::green);
   heading("Map after this frame");
-  valueRow("Size", counted(r.landmarks, "landmark") + ", " + counted(r.seeds, "seed") + ", " + counted(r.keyframes, "keyframe"));
-  valueRow("Seeds now", format("%d updated, %d converged, %d rejected", r.seed_updates, r.seeds_converged,
-                               r.seeds_rejected));
+  valueRow("Size", counted(r.landmarks, "landmark") + ", " + counted(r.seeds, "seed") + ", " +
+                       counted(r.keyframes, "keyframe"));
+  valueRow("Seeds now", format("%d updated, %d converged, %d rejected", r.seed_updates,
+                               r.seeds_converged, r.seeds_rejected));
 }
 
 }  // namespace svoscope::ui

@@ -16,11 +16,16 @@ namespace {
 
 float valueOf(const FeatureView& f, ColorBy by) {
   switch (by) {
-    case ColorBy::depth: return f.depth;
-    case ColorBy::observations: return static_cast<float>(f.observations);
-    case ColorBy::residual: return f.residual_px;
-    case ColorBy::level: return f.level;
-    default: return 0;
+    case ColorBy::depth:
+      return f.depth;
+    case ColorBy::observations:
+      return static_cast<float>(f.observations);
+    case ColorBy::residual:
+      return f.residual_px;
+    case ColorBy::level:
+      return f.level;
+    default:
+      return 0;
   }
 }
 
@@ -33,7 +38,8 @@ void shadowedLine(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float width
 
 // Half the width of a patch on its level, but never too small to see or to hit.
 float glyphRadius(const ImageView& view, const FeatureView& f) {
-  return std::clamp(1.6f * static_cast<float>(1 << std::min<int>(f.level, 5)) * view.zoom, dp(3), dp(9));
+  return std::clamp(1.6f * static_cast<float>(1 << std::min<int>(f.level, 5)) * view.zoom, dp(3),
+                    dp(9));
 }
 
 void drawCorner(ImDrawList* list, ImVec2 p, float r, ImU32 color, bool strong) {
@@ -66,9 +72,15 @@ void drawGlyph(const ImageView& view, ImDrawList* list, const FeatureView& f, Im
   const float r = glyphRadius(view, f);
   if (f.status == FeatureStatus::not_aligned) return list->AddCircle(p, r * 0.8f, color, 10, dp(1));
   switch (f.type) {
-    case FeatureType::corner: drawCorner(list, p, r, color, false); break;
-    case FeatureType::edgelet: drawEdgelet(list, p, r, f.direction, color); break;
-    case FeatureType::segment: drawSegment(view, list, f, color); break;
+    case FeatureType::corner:
+      drawCorner(list, p, r, color, false);
+      break;
+    case FeatureType::edgelet:
+      drawEdgelet(list, p, r, f.direction, color);
+      break;
+    case FeatureType::segment:
+      drawSegment(view, list, f, color);
+      break;
   }
   if (f.status == FeatureStatus::outlier) drawCross(list, p, r * 0.8f, color);
 }
@@ -115,7 +127,8 @@ ColorScale colorScaleOf(const std::vector<FeatureView>& features, ColorBy by) {
   ColorScale scale;
   if (by == ColorBy::origin || by == ColorBy::status) return scale;
   scale.ramp = true;
-  static constexpr const char* labels[] = {"", "", "Depth, map units", "Observations", "Residual, px", "Level"};
+  static constexpr const char* labels[] = {
+      "", "", "Depth, map units", "Observations", "Residual, px", "Level"};
   scale.label = labels[static_cast<int>(by)];
   std::vector<float> values;
   for (const FeatureView& f : features) {
@@ -144,21 +157,28 @@ bool shows(const ImageOptions& o, const FeatureView& f) {
   if (f.status == FeatureStatus::outlier && !o.outliers) return false;
   if (f.status == FeatureStatus::not_aligned && !o.not_aligned) return false;
   switch (f.type) {
-    case FeatureType::corner: return o.corners;
-    case FeatureType::edgelet: return o.edgelets;
-    case FeatureType::segment: return o.segments;
+    case FeatureType::corner:
+      return o.corners;
+    case FeatureType::edgelet:
+      return o.edgelets;
+    case FeatureType::segment:
+      return o.segments;
   }
   return true;
 }
 
 std::string hiddenText(const ImageOptions& options, const Snapshot& snapshot) {
-  static constexpr const char* names[] = {"tracks", "outliers", "failed", "corners", "edgelets", "segments"};
+  static constexpr const char* names[] = {"tracks",  "outliers", "failed",
+                                          "corners", "edgelets", "segments"};
   int counts[6] = {}, all = 0;
   for (const FeatureView& f : snapshot.features) {
     if (shows(options, f) || !f.px.allFinite()) continue;
     const bool outlier = f.status == FeatureStatus::outlier && !options.outliers;
     const bool failed = f.status == FeatureStatus::not_aligned && !options.not_aligned;
-    ++counts[f.origin == FeatureOrigin::track ? 0 : outlier ? 1 : failed ? 2 : 3 + static_cast<int>(f.type)];
+    ++counts[f.origin == FeatureOrigin::track ? 0
+             : outlier                        ? 1
+             : failed                         ? 2
+                                              : 3 + static_cast<int>(f.type)];
     ++all;
   }
   if (all == 0) return "";
@@ -232,9 +252,8 @@ Selection pick(const ImageView& view, const Snapshot& snapshot, const ImageOptio
   for (const FeatureView& f : snapshot.features) {
     if (!shows(options, f)) continue;
     const ImVec2 p = view.toScreen(f.px);
-    const float d = f.type == FeatureType::segment
-                        ? segmentDistance(at, p, view.toScreen(f.px_end))
-                        : std::hypot(p.x - at.x, p.y - at.y);
+    const float d = f.type == FeatureType::segment ? segmentDistance(at, p, view.toScreen(f.px_end))
+                                                   : std::hypot(p.x - at.x, p.y - at.y);
     if (d >= nearest) continue;
     nearest = d;
     best = selectionOf(f);

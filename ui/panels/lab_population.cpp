@@ -108,11 +108,18 @@ std::string percent(const std::optional<double>& v, const char* pattern = "%.1f 
 }
 
 void table(const LabResult& result) {
-  if (!ImGui::BeginTable("##lab", 7, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg)) return;
+  if (!ImGui::BeginTable("##lab", 7,
+                         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings |
+                             ImGuiTableFlags_RowBg))
+    return;
   const char* heads[] = {"Rule", "Updates", "Error", "Wrong at 0.8", "at 0.6", "NEES", "Converged"};
-  const char* hints[] = {"", "Median number of updates to converge", "Median relative error of distance",
-                         "Wrong among accepted at a recall of 0.8", "At a recall of 0.6",
-                         "Median of (error / σ)²; calibrated: 0.455", "Of all seeds, and of those never measured right"};
+  const char* hints[] = {"",
+                         "Median number of updates to converge",
+                         "Median relative error of distance",
+                         "Wrong among accepted at a recall of 0.8",
+                         "At a recall of 0.6",
+                         "Median of (error / σ)²; calibrated: 0.455",
+                         "Of all seeds, and of those never measured right"};
   ImGui::TableNextRow();
   for (int i = 0; i < 7; ++i) {
     ImGui::TableNextColumn();
@@ -141,7 +148,8 @@ void table(const LabResult& result) {
 bool sliders(LabSettings& s, float width) {
   const float font = ImGui::GetFontSize();
   bool changed = false;
-  const auto item = [&](const char* label, float& value, float lo, float hi, const char* pattern, const char* hint, bool first) {
+  const auto item = [&](const char* label, float& value, float lo, float hi, const char* pattern,
+                        const char* hint, bool first) {
     const float w = std::clamp(width / 5 - font * 5.2f, font * 4.5f, font * 10);
     if (!first) sameLineIfFits(w + ImGui::CalcTextSize(label).x + grid(5));
     ImGui::AlignTextToFramePadding();
@@ -150,9 +158,12 @@ bool sliders(LabSettings& s, float width) {
     changed |= slider((std::string("##") + label).c_str(), value, lo, hi, pattern, w, hint);
   };
   item("Seeds", s.seeds, 200, 6000, "%.0f", "Size of the population", true);
-  item("Outliers", s.outliers, 0, 0.6f, "%.2f", "Share of measurements that fall anywhere in the search window", false);
-  item("Hopeless", s.hopeless, 0, 0.6f, "%.2f", "Share of seeds that never see a right measurement", false);
-  item("Noise", s.noise, 0.05f, 2, "%.2f τ", "Standard deviation of a right measurement, in τ", false);
+  item("Outliers", s.outliers, 0, 0.6f, "%.2f",
+       "Share of measurements that fall anywhere in the search window", false);
+  item("Hopeless", s.hopeless, 0, 0.6f, "%.2f", "Share of seeds that never see a right measurement",
+       false);
+  item("Noise", s.noise, 0.05f, 2, "%.2f τ", "Standard deviation of a right measurement, in τ",
+       false);
   item("Step", s.step_m, 0.002f, 0.05f, "%.3f m", "Baseline gained per frame", false);
   return changed;
 }
@@ -169,7 +180,8 @@ void progressRow(PanelContext& c, const LabWorker::State& now) {
   if (!now.result) return;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%d seeds, %d updates each", now.result->options.seeds, now.result->options.updates);
+  ImGui::TextDisabled("%d seeds, %d updates each", now.result->options.seeds,
+                      now.result->options.updates);
 }
 
 }  // namespace
@@ -181,7 +193,8 @@ void populationSection(PanelContext& c, ImVec2 size) {
   sliders(s, size.x);
   LabOptions options = labOptions(s);
   options.random_seed = c.state.lab_random_seed;
-  const auto key = std::make_tuple(options.seeds, options.outliers, options.hopeless, options.noise, options.step_m, options.random_seed);
+  const auto key = std::make_tuple(options.seeds, options.outliers, options.hopeless, options.noise,
+                                   options.step_m, options.random_seed);
   if (c.caches.lab_key != key) {
     c.caches.lab_key = key;
     c.caches.lab.start(options);
@@ -194,7 +207,8 @@ void populationSection(PanelContext& c, ImVec2 size) {
     const float font = ImGui::GetFontSize();
     const bool side = size.x > font * 50;
     const float left = size.y - (ImGui::GetCursorScreenPos().y - top) - grid(3);
-    const ImVec2 cell{side ? std::floor((size.x - grid(4)) / 3) : size.x, std::max(font * 10, side ? left : std::floor(left / 3))};
+    const ImVec2 cell{side ? std::floor((size.x - grid(4)) / 3) : size.x,
+                      std::max(font * 10, side ? left : std::floor(left / 3))};
     convergedCurve(*now.result, cell);
     if (side) ImGui::SameLine(0, grid(2));
     errorCurve(*now.result, cell);

@@ -32,7 +32,9 @@ TwoViews twoViews(double baseline, double depth, double pixel_noise, double foca
   const double turn = std::atan(pixel_noise / focal);
   const double at_second = std::atan2(depth, baseline);  // angle between baseline and second ray
   v.angle = std::atan2(baseline, depth);
-  const auto along = [&](double angle) { return angle < M_PI_2 ? baseline * std::tan(angle) : INFINITY; };
+  const auto along = [&](double angle) {
+    return angle < M_PI_2 ? baseline * std::tan(angle) : INFINITY;
+  };
   v.near_m = along(at_second - turn);
   v.far_m = along(at_second + turn);
   const double far_inverse = std::isfinite(v.far_m) ? 1 / v.far_m : 0;
@@ -53,20 +55,24 @@ LabOptions labOptions(const LabSettings& s) {
 std::string labCsv(const LabSettings& s, const SeparationCurves& curves, const LabResult* result) {
   std::string text = format("# sigma %g, tau %g\nseparation,kl_pq,kl_qp,jsd\n", s.sigma, s.tau);
   for (std::size_t i = 0; i < curves.offset.size(); ++i) {
-    text += format("%g,%.9g,%.9g,%.9g\n", curves.offset[i], curves.kl_pq[i], curves.kl_qp[i], curves.jsd[i]);
+    text += format("%g,%.9g,%.9g,%.9g\n", curves.offset[i], curves.kl_pq[i], curves.kl_qp[i],
+                   curves.jsd[i]);
   }
   if (!result) return text;
-  text += format("# %d seeds, outliers %g, hopeless %g, noise %g, step %g m\n", result->options.seeds,
-                 result->options.outliers, result->options.hopeless, result->options.noise, result->options.step_m);
+  text += format("# %d seeds, outliers %g, hopeless %g, noise %g, step %g m\n",
+                 result->options.seeds, result->options.outliers, result->options.hopeless,
+                 result->options.noise, result->options.step_m);
   text += "rule,update,converged,median_error_per_m,median_sigma_per_m\n";
   for (const LabRow& row : result->rows) {
     for (const LabCurvePoint& p : row.curve) {
-      text += format("%s,%d,%.6g,%.9g,%.9g\n", row.rule.c_str(), p.update, p.converged, p.median_error, p.median_sigma);
+      text += format("%s,%d,%.6g,%.9g,%.9g\n", row.rule.c_str(), p.update, p.converged,
+                     p.median_error, p.median_sigma);
     }
   }
   text += "rule,gate,recall,wrong\n";
   for (const LabRow& row : result->rows) {
-    for (const GatePoint& p : row.sweep) text += format("%s,%.6g,%.6g,%.6g\n", row.rule.c_str(), p.gate, p.recall, p.wrong);
+    for (const GatePoint& p : row.sweep)
+      text += format("%s,%.6g,%.6g,%.6g\n", row.rule.c_str(), p.gate, p.recall, p.wrong);
   }
   return text;
 }

@@ -23,9 +23,9 @@ struct SeparationCurves {
 
 /// Two views of a point with a match that may be off by the noise.
 struct TwoViews {
-  double angle = 0;                        ///< between the rays, radians
-  double near_m = 0, far_m = 0;            ///< ends of the interval; far_m infinite beyond the horizon
-  double tau = 0;                          ///< of the inverse distance, 1/m: half of the interval
+  double angle = 0;              ///< between the rays, radians
+  double near_m = 0, far_m = 0;  ///< ends of the interval; far_m infinite beyond the horizon
+  double tau = 0;                ///< of the inverse distance, 1/m: half of the interval
 };
 TwoViews twoViews(double baseline, double depth, double pixel_noise, double focal);
 
@@ -35,6 +35,7 @@ void divergenceSection(PanelContext& c, ImVec2 size);
 void twoViewSection(PanelContext& c, ImVec2 size);
 void populationSection(PanelContext& c, ImVec2 size);
 
-std::string labCsv(const LabSettings& settings, const SeparationCurves& curves, const LabResult* result);
+std::string labCsv(const LabSettings& settings, const SeparationCurves& curves,
+                   const LabResult* result);
 
 }  // namespace svoscope::ui

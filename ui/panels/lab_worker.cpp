@@ -25,7 +25,8 @@ void LabWorker::start(const LabOptions& options) {
     wanted_ = options;
     stage_ = 0;
     ++order_;
-    if (!thread_.joinable()) thread_ = std::thread([this] { loop(); });  // no thread before it is needed
+    if (!thread_.joinable())
+      thread_ = std::thread([this] { loop(); });  // no thread before it is needed
   }
   wake_.notify_all();
 }

@@ -32,9 +32,9 @@ class LabWorker {
 
   struct State {
     bool running = false;
-    double progress = 1;                       ///< 0 .. 1, of the seeds to be simulated
-    std::shared_ptr<const LabResult> result;   ///< newest; may be of fewer seeds than wanted
-    int generation = 0;                        ///< changes with the result
+    double progress = 1;                      ///< 0 .. 1, of the seeds to be simulated
+    std::shared_ptr<const LabResult> result;  ///< newest; may be of fewer seeds than wanted
+    int generation = 0;                       ///< changes with the result
   };
   State state() const;
 
@@ -47,8 +47,8 @@ class LabWorker {
   mutable std::condition_variable idle_;
   bool stop_ = false;
   LabOptions wanted_;
-  int order_ = 0;            ///< counts calls of start()
-  int stage_ = kStages;      ///< of the order under way; kStages: nothing left
+  int order_ = 0;        ///< counts calls of start()
+  int stage_ = kStages;  ///< of the order under way; kStages: nothing left
   int generation_ = 0;
   std::shared_ptr<const LabResult> result_;
   std::thread thread_;

@@ -13,7 +13,8 @@ namespace svoscope::ui {
 namespace {
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char ch) { return std::tolower(ch); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char ch) { return std::tolower(ch); });
   return text;
 }
 
@@ -28,7 +29,8 @@ void row(PanelContext& c, const Event& e, int id) {
   ImGui::PushID(id);
   const std::string frame = format("%d", e.frame_index);
   const bool current = e.frame_index == c.viewedFrame();
-  if (ImGui::Selectable(frame.c_str(), current, ImGuiSelectableFlags_SpanAllColumns)) c.view(e.frame_index);
+  if (ImGui::Selectable(frame.c_str(), current, ImGuiSelectableFlags_SpanAllColumns))
+    c.view(e.frame_index);
   Probe::record("log:" + frame, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   ImGui::PopID();
   ImGui::TableNextColumn();
@@ -41,7 +43,8 @@ void row(PanelContext& c, const Event& e, int id) {
 
 void drawLogPanel(PanelContext& c) {
   const auto& events = c.caches.run.events();
-  inputText("##log_filter", "Filter, for example lost", c.state.log_filter, ImGui::GetFontSize() * 14);
+  inputText("##log_filter", "Filter, for example lost", c.state.log_filter,
+            ImGui::GetFontSize() * 14);
   const std::string filter = lower(c.state.log_filter);
   std::vector<int> shown;
   for (std::size_t i = events.size(); i-- > 0;) {
@@ -50,10 +53,15 @@ void drawLogPanel(PanelContext& c) {
   const int hidden = static_cast<int>(events.size() - shown.size());
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  if (hidden > 0) ImGui::TextColored(toVec4(okabe::orange), "%d hidden by the filter", hidden);
-  else ImGui::TextDisabled("%s, newest first", counted(static_cast<int>(shown.size()), "message").c_str());
-  if (events.empty()) return emptyState("No messages yet", "Keyframes, losses and warnings appear here");
-  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+  if (hidden > 0)
+    ImGui::TextColored(toVec4(okabe::orange), "%d hidden by the filter", hidden);
+  else
+    ImGui::TextDisabled("%s, newest first",
+                        counted(static_cast<int>(shown.size()), "message").c_str());
+  if (events.empty())
+    return emptyState("No messages yet", "Keyframes, losses and warnings appear here");
+  constexpr ImGuiTableFlags kFlags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("##log", 3, kFlags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Frame");

@@ -24,7 +24,8 @@ Range framesOf(const std::vector<std::unique_ptr<PanelCaches>>& runs) {
 void moveOn(Runner& runner, UiState& state, const Command& command) {
   int from = std::exchange(state.viewed_frame, -1);  // whoever moves the engine wants to see it
   const RunnerStatus status = runner.status();
-  if (status.finished && from < 0 && command.kind == Command::Kind::play) from = status.history_first;
+  if (status.finished && from < 0 && command.kind == Command::Kind::play)
+    from = status.history_first;
   if (status.recorded && from >= 0 && command.kind != Command::Kind::reset) {
     Command jump;
     jump.kind = Command::Kind::run_to_frame;
@@ -37,7 +38,8 @@ void moveOn(Runner& runner, UiState& state, const Command& command) {
 bool saysWhyEmpty(const PanelContext& context) {
   if (context.snapshot) return false;
   if (!context.latest && context.engineFrame() >= 0) {
-    emptyState("This run has no frame yet", format("The others are at frame %d", context.engineFrame()));
+    emptyState("This run has no frame yet",
+               format("The others are at frame %d", context.engineFrame()));
   } else if (!context.latest) {
     emptyState("No frame yet", "Press Space to play, or the right arrow key to process one frame");
   } else if (context.latest->record.index < context.viewedFrame()) {
@@ -65,8 +67,10 @@ void exportText(PanelContext& context, const std::string& name, const std::strin
   std::ofstream out(path);
   out << text;
   out.close();
-  if (out) context.state.toasts.add("Wrote " + path.string());
-  else context.state.toasts.add("Cannot write " + path.string() + ", check the folder", true);
+  if (out)
+    context.state.toasts.add("Wrote " + path.string());
+  else
+    context.state.toasts.add("Cannot write " + path.string() + ", check the folder", true);
 }
 
 }  // namespace svoscope::ui

@@ -8,11 +8,11 @@
 
 #include "engine/runner/runner.h"
 #include "ui/panels/compare_scene.h"
-#include "ui/panels/run_cache.h"
-#include "ui/panels/scene_content.h"
 #include "ui/panels/divergence_view.h"
 #include "ui/panels/filter_stats.h"
 #include "ui/panels/lab_view.h"
+#include "ui/panels/run_cache.h"
+#include "ui/panels/scene_content.h"
 #include "ui/panels/search_cache.h"
 #include "ui/panels/seed_trace.h"
 #include "ui/panels/selection_history.h"
@@ -37,15 +37,16 @@ struct PanelCaches {
   FilterStats filter;
   DivergenceView divergence;
   LabWorker lab;
-  std::tuple<int, double, double, double, double, std::uint64_t> lab_key;  ///< what the worker was started with
+  std::tuple<int, double, double, double, double, std::uint64_t>
+      lab_key;  ///< what the worker was started with
   SeparationCurves separation;
 };
 
 /// First and last frame that any run has; lo > hi if none has one.
 Range framesOf(const std::vector<std::unique_ptr<PanelCaches>>& runs);
 
-/// Sends a command that moves the run, and follows it. A recording goes on from the frame in view, and
-/// plays from its first frame if that is the last.
+/// Sends a command that moves the run, and follows it. A recording goes on from the frame in view,
+/// and plays from its first frame if that is the last.
 void moveOn(Runner& runner, UiState& state, const Command& command);
 
 /// With several runs open, all but `runs`, `all_caches` and `compare` is of the current one.

@@ -40,12 +40,14 @@ bool editNumber(const ParameterView& p, std::string& value) {
   if (p.type == "int") {
     int v = std::atoi(p.value.c_str());
     const bool entered = ImGui::InputInt("##value", &v, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (p.maximum > p.minimum) v = std::clamp(v, static_cast<int>(p.minimum), static_cast<int>(p.maximum));
+    if (p.maximum > p.minimum)
+      v = std::clamp(v, static_cast<int>(p.minimum), static_cast<int>(p.maximum));
     value = std::to_string(v);
     return entered;
   }
   double v = std::atof(p.value.c_str());
-  const bool entered = ImGui::InputDouble("##value", &v, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputDouble("##value", &v, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
   if (p.maximum > p.minimum) v = std::clamp(v, p.minimum, p.maximum);
   value = format("%.9g", v);
   return entered;
@@ -63,7 +65,8 @@ bool edit(const ParameterView& p, std::string& value) {
 }
 
 std::string meaningOf(const ParameterView& p) {
-  std::string text = p.key + "\n" + p.meaning + "\nDefault " + p.default_value + (p.unit.empty() ? "" : " " + p.unit);
+  std::string text = p.key + "\n" + p.meaning + "\nDefault " + p.default_value +
+                     (p.unit.empty() ? "" : " " + p.unit);
   if (p.maximum > p.minimum) text += format("\nFrom %g to %g", p.minimum, p.maximum);
   if (p.needs_reset) text += "\nTakes effect after a reset";
   return text;
@@ -71,7 +74,8 @@ std::string meaningOf(const ParameterView& p) {
 
 std::string shortName(const ParameterView& p) { return p.key.substr(p.key.find('.') + 1); }
 
-// Columns as wide as their longest text, the same in all groups: what is left is for the descriptions.
+// Columns as wide as their longest text, the same in all groups: what is left is for the
+// descriptions.
 struct Columns {
   float name = 0, value = 0, unit = 0, reset = 0;
   bool described = true;  ///< else the descriptions are in the tooltips only
@@ -114,8 +118,10 @@ void row(PanelContext& c, const ParameterView& p, bool described) {
   tooltip(meaningOf(p).c_str());
   ImGui::TableNextColumn();
   std::string value;
-  if (c.status.recorded) ImGui::TextUnformatted(p.value.c_str());
-  else if (edit(p, value) && value != p.value) set(c, p.key, value);
+  if (c.status.recorded)
+    ImGui::TextUnformatted(p.value.c_str());
+  else if (edit(p, value) && value != p.value)
+    set(c, p.key, value);
   Probe::record(p.key, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   tooltip(meaningOf(p).c_str());
   ImGui::TableNextColumn();
@@ -147,7 +153,8 @@ bool beginGroup(const std::string& group, const Columns& columns) {
 void drawParametersPanel(PanelContext& c) {
   const auto parameters = c.runner.parameters();
   if (parameters.empty()) return emptyState("No parameters", "This recording holds none");
-  inputText("##parameter_filter", "Filter, for example reproject", c.state.parameter_filter, ImGui::GetFontSize() * 14);
+  inputText("##parameter_filter", "Filter, for example reproject", c.state.parameter_filter,
+            ImGui::GetFontSize() * 14);
   if (c.status.recorded) {
     sameLineIfFits(ImGui::CalcTextSize(kReadOnly).x);
     ImGui::TextColored(toVec4(okabe::orange), "%s", kReadOnly);

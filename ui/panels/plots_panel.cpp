@@ -43,7 +43,8 @@ PlotSpec specOf(PanelContext& c, const ChartInfo& chart) {
   const auto& table = seriesTable();
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (group != table[i].group) continue;
-    spec.series.push_back({table[i].label, &run.frames(), &run.column(i), table[i].color, table[i].dashed});
+    spec.series.push_back(
+        {table[i].label, &run.frames(), &run.column(i), table[i].color, table[i].dashed});
   }
   if (const int required = group == "Features" ? run.requiredAt(c.viewedFrame()) : 0) {
     spec.levels.push_back({1.0 * required, okabe::vermillion, "lost below"});
@@ -56,7 +57,8 @@ PlotSpec specOf(PanelContext& c, const ChartInfo& chart) {
 
 std::string fileName(const char* group) {
   std::string name = std::string("plot_") + group + ".csv";
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char ch) { return std::tolower(ch); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char ch) { return std::tolower(ch); });
   return name;
 }
 
@@ -72,7 +74,8 @@ void drawPlotsPanel(PanelContext& c) {
     const bool known = std::string("Error") != chart.group || !c.info.ground_truth.empty();
     if (known && c.state.plot_groups.count(chart.group)) charts.push_back(&chart);
   }
-  if (charts.empty()) return emptyState("No plot chosen", "Choose quantities with the buttons above");
+  if (charts.empty())
+    return emptyState("No plot chosen", "Choose quantities with the buttons above");
   const float room = ImGui::GetContentRegionAvail().y;
   const int count = static_cast<int>(charts.size());
   for (int i = 0; i < count; ++i) {

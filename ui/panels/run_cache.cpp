@@ -19,7 +19,8 @@ double goodOnly(const R& r, double value) { return r.pose_good ? value : NAN; }
 const std::vector<SeriesInfo>& seriesTable() {
   static const std::vector<SeriesInfo> table{
       {"Features", "Matched", okabe::grey, true, [](const R& r) { return 1.0 * r.funnel.matched; }},
-      {"Features", "Inliers", okabe::green, false, [](const R& r) { return 1.0 * r.funnel.inliers; }},
+      {"Features", "Inliers", okabe::green, false,
+       [](const R& r) { return 1.0 * r.funnel.inliers; }},
       {"Features", "of these seeds", okabe::sky, false,
        [](const R& r) { return 1.0 * r.funnel.inlier_seeds; }},
       {"Features", "of these edgelets", okabe::purple, true,
@@ -28,8 +29,10 @@ const std::vector<SeriesInfo>& seriesTable() {
       {"Time", "Mapping", okabe::purple, true, [](const R& r) { return r.ms(Stage::mapping); }},
       {"Map", "Landmarks", okabe::green, false, [](const R& r) { return 1.0 * r.landmarks; }},
       {"Map", "Seeds", okabe::orange, true, [](const R& r) { return 1.0 * r.seeds; }},
-      {"Seed updates", "Updates", okabe::grey, true, [](const R& r) { return 1.0 * r.seed_updates; }},
-      {"Seed updates", "Converged", okabe::sky, false, [](const R& r) { return 1.0 * r.seeds_converged; }},
+      {"Seed updates", "Updates", okabe::grey, true,
+       [](const R& r) { return 1.0 * r.seed_updates; }},
+      {"Seed updates", "Converged", okabe::sky, false,
+       [](const R& r) { return 1.0 * r.seeds_converged; }},
       {"Seed updates", "Rejected", okabe::vermillion, true,
        [](const R& r) { return 1.0 * r.seeds_rejected; }},
       {"Residual", "Reprojection median", okabe::orange, false,
@@ -38,7 +41,8 @@ const std::vector<SeriesInfo>& seriesTable() {
        [](const R& r) { return goodOnly(r, r.align_rmse); }},
       {"Depth", "Median depth", okabe::purple, false,
        [](const R& r) { return goodOnly(r, r.median_depth); }},
-      {"Brightness", "Gain", okabe::yellow, false, [](const R& r) { return r.funnel.aligned_sparse > 0 ? r.gain : NAN; }},
+      {"Brightness", "Gain", okabe::yellow, false,
+       [](const R& r) { return r.funnel.aligned_sparse > 0 ? r.gain : NAN; }},
       {"Disparity", "Median disparity", okabe::yellow, false,
        [](const R& r) { return r.disparity_tracks > 0 ? r.disparity_px : NAN; }},
   };
@@ -47,11 +51,16 @@ const std::vector<SeriesInfo>& seriesTable() {
 
 const std::vector<ChartInfo>& chartTable() {
   static const std::vector<ChartInfo> table{
-      {"Features", "Features", true},         {"Time", "Time, ms", true},
-      {"Error", "Position error, m", true},   {"Map", "Map size", true},
-      {"Seed updates", "Seeds per frame", true},     {"Residual", "Residual, px", true},
-      {"Alignment", "Intensity, levels", true}, {"Depth", "Depth, map units", true},
-      {"Brightness", "Brightness gain", false}, {"Disparity", "Disparity, px", true},
+      {"Features", "Features", true},
+      {"Time", "Time, ms", true},
+      {"Error", "Position error, m", true},
+      {"Map", "Map size", true},
+      {"Seed updates", "Seeds per frame", true},
+      {"Residual", "Residual, px", true},
+      {"Alignment", "Intensity, levels", true},
+      {"Depth", "Depth, map units", true},
+      {"Brightness", "Brightness gain", false},
+      {"Disparity", "Disparity, px", true},
   };
   return table;
 }

@@ -42,8 +42,8 @@ class RunCache {
   const std::vector<PlotMark>& marks() const { return marks_; }
   /// Row of a frame; null if it was not processed.
   const FrameRecord* find(int frame) const;
-  /// Inliers below which tracking is lost, as of the last frame up to this one that was held against
-  /// them; 0 if none was.
+  /// Inliers below which tracking is lost, as of the last frame up to this one that was held
+  /// against them; 0 if none was.
   int requiredAt(int frame) const;
   int generation() const { return generation_; }
 

@@ -26,19 +26,26 @@ double quantile(std::vector<double>& values, double q) {
 
 float valueOf(const MapPointView& p, PointColor by, const SE3& T_cam_world) {
   switch (by) {
-    case PointColor::depth: return static_cast<float>((T_cam_world * p.position.cast<double>()).z());
-    case PointColor::observations: return static_cast<float>(p.observations);
-    case PointColor::sigma: return p.sigma;
-    case PointColor::kind: break;
+    case PointColor::depth:
+      return static_cast<float>((T_cam_world * p.position.cast<double>()).z());
+    case PointColor::observations:
+      return static_cast<float>(p.observations);
+    case PointColor::sigma:
+      return p.sigma;
+    case PointColor::kind:
+      break;
   }
   return 0;
 }
 
 ImU32 kindColor(FeatureType type) {
   switch (type) {
-    case FeatureType::corner: return okabe::green;
-    case FeatureType::edgelet: return okabe::purple;
-    case FeatureType::segment: return okabe::orange;
+    case FeatureType::corner:
+      return okabe::green;
+    case FeatureType::edgelet:
+      return okabe::purple;
+    case FeatureType::segment:
+      return okabe::orange;
   }
   return okabe::grey;
 }
@@ -118,7 +125,8 @@ void SceneContent::addGrid() {
 
 void SceneContent::addPaths(const SceneInput& input) {
   const int map_id = input.snapshot->record.map_id;
-  if (input.options->ground_truth && input.truth && input.truth->valid && input.truth->map_id == map_id) {
+  if (input.options->ground_truth && input.truth && input.truth->valid &&
+      input.truth->map_id == map_id) {
     const auto& path = input.truth->path;
     // Dashed: every other piece, so that it differs from the estimate by more than colour.
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -177,7 +185,8 @@ void SceneContent::addPoints(const SceneInput& input) {
   if (by != PointColor::kind) {
     for (const MapPointView& p : points) values.push_back(valueOf(p, by, T_cam_world));
   }
-  const auto lo = static_cast<float>(quantile(values, 0.05)), hi = static_cast<float>(quantile(values, 0.95));
+  const auto lo = static_cast<float>(quantile(values, 0.05)),
+             hi = static_cast<float>(quantile(values, 0.95));
   color_range_ = {lo, hi};
   const float span = std::max(1e-9f, hi - lo);
   scene_.points.reserve(points.size());
@@ -201,8 +210,8 @@ void SceneContent::addSeeds(const SceneInput& input) {
     // A far end near infinity would only draw a fan of rays across the view.
     const Vec3f along = s.position_far - s.position_near;
     const auto limit = static_cast<float>(radius_ * 1.5);
-    const Vec3f far_end = along.norm() > limit ? Vec3f(s.position_near + along.normalized() * limit)
-                                               : s.position_far;
+    const Vec3f far_end =
+        along.norm() > limit ? Vec3f(s.position_near + along.normalized() * limit) : s.position_far;
     line(s.position_near, far_end, withAlpha(seedColor(s), 0.45f));
   }
 }

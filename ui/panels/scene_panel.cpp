@@ -66,7 +66,8 @@ void drawBeliefRay(PanelContext& c, const SceneCamera& camera, const SeedView& s
       if (k.id == seed.keyframe_id) keyframe = &k;
     }
   }
-  if (!keyframe || !(seed.sigma > 0) || !(seed.mu > 0) || !std::isfinite(seed.mu + seed.sigma)) return;
+  if (!keyframe || !(seed.sigma > 0) || !(seed.mu > 0) || !std::isfinite(seed.mu + seed.sigma))
+    return;
   const Vec3 origin = keyframe->T_world_cam.translation();
   const Vec3 ray = seed.position.cast<double>() - origin;
   if (!ray.allFinite() || ray.norm() < 1e-9) return;
@@ -83,7 +84,8 @@ void drawBeliefRay(PanelContext& c, const SceneCamera& camera, const SeedView& s
     const auto a = at(lo), b = at(hi);
     if (!a || !b) continue;
     const auto strength = static_cast<float>(std::exp(-0.5 * middle * middle));
-    ImGui::GetWindowDrawList()->AddLine(*a, *b, withAlpha(color, 0.15f + 0.85f * strength), dp(1 + 3.5f * strength));
+    ImGui::GetWindowDrawList()->AddLine(*a, *b, withAlpha(color, 0.15f + 0.85f * strength),
+                                        dp(1 + 3.5f * strength));
   }
 }
 
@@ -109,7 +111,10 @@ void drawMarkedSeeds(PanelContext& c, const SceneCamera& camera) {
       circleAt(camera, seed.position.cast<double>(), ink::prior);
     } else if (c.state.highlighted.count(seed.id)) {
       const auto at = camera.project(seed.position.cast<double>());
-      if (at) ImGui::GetWindowDrawList()->AddRect({at->x - dp(4), at->y - dp(4)}, {at->x + dp(4), at->y + dp(4)}, ink::highlight, 0, 0, dp(1.5f));
+      if (at)
+        ImGui::GetWindowDrawList()->AddRect({at->x - dp(4), at->y - dp(4)},
+                                            {at->x + dp(4), at->y + dp(4)}, ink::highlight, 0, 0,
+                                            dp(1.5f));
     }
   }
 }
@@ -127,10 +132,12 @@ void pickPoint(PanelContext& c, const SceneCamera& camera) {
     best = candidate;
   };
   if (c.state.scene.points && c.snapshot->points) {
-    for (const MapPointView& p : *c.snapshot->points) consider(p.position, {Selection::Kind::landmark, p.id});
+    for (const MapPointView& p : *c.snapshot->points)
+      consider(p.position, {Selection::Kind::landmark, p.id});
   }
   if (c.state.scene.seeds && c.snapshot->seeds) {
-    for (const SeedView& s : *c.snapshot->seeds) consider(s.position, {Selection::Kind::seed, s.id});
+    for (const SeedView& s : *c.snapshot->seeds)
+      consider(s.position, {Selection::Kind::seed, s.id});
   }
   c.state.selection = best;
 }
@@ -149,24 +156,30 @@ void labels(PanelContext& c, const SceneCamera& camera) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const SceneContent& scene = c.caches.scene;
   ImVec2 at{camera.lo.x + grid(2), camera.lo.y + grid(1)};
-  const auto entry = [&](Swatch kind, ImU32 color, const std::string& text) { sceneLegend(at, kind, color, text); };
+  const auto entry = [&](Swatch kind, ImU32 color, const std::string& text) {
+    sceneLegend(at, kind, color, text);
+  };
   const SceneOptions& o = c.state.scene;
   const ImVec2 room{camera.hi.x - camera.lo.x, camera.hi.y - camera.lo.y};
-  if (room.y < ImGui::GetFontSize() * 16 || room.x < ImGui::GetFontSize() * 22) return;  // the map matters more
+  if (room.y < ImGui::GetFontSize() * 16 || room.x < ImGui::GetFontSize() * 22)
+    return;  // the map matters more
   if (o.estimate) entry(Swatch::line, methodColor(c.info.method), methodName(c.info.method));
   const TruthState& truth = c.caches.truth.state();
   if (o.ground_truth && truth.valid) {
     const bool here = truth.map_id == c.snapshot->record.map_id;
     entry(Swatch::dashed, ink::ground_truth,
-          here ? format("Ground truth, %s", alignModeName(truth.mode)) : format("Ground truth: with map %d", truth.map_id));
+          here ? format("Ground truth, %s", alignModeName(truth.mode))
+               : format("Ground truth: with map %d", truth.map_id));
   }
   if (o.points && c.snapshot->points) {
     const bool kind = o.color_by == PointColor::kind;
     int counts[3] = {};
     for (const MapPointView& p : *c.snapshot->points) ++counts[static_cast<int>(p.type)];
     entry(Swatch::dot, kind ? okabe::green : ink::dim, pointsText(*c.snapshot));
-    if (kind && counts[1]) entry(Swatch::dot, okabe::purple, format("%d of them edgelets", counts[1]));
-    if (kind && counts[2]) entry(Swatch::dot, okabe::orange, format("%d of them segments", counts[2]));
+    if (kind && counts[1])
+      entry(Swatch::dot, okabe::purple, format("%d of them edgelets", counts[1]));
+    if (kind && counts[2])
+      entry(Swatch::dot, okabe::orange, format("%d of them segments", counts[2]));
   }
   if (o.points && o.color_by != PointColor::kind) {
     const auto [lo, hi] = scene.colorRange();
@@ -180,8 +193,10 @@ void labels(PanelContext& c, const SceneCamera& camera) {
   }
   if (!o.grid) return;
   const std::string text = format("grid %.3g %s", scene.cell(), "map units");
-  outlinedText(list, {camera.hi.x - ImGui::CalcTextSize(text.c_str()).x - grid(2),
-                      camera.hi.y - ImGui::GetTextLineHeight() - grid(1)}, ink::dim, text.c_str());
+  outlinedText(list,
+               {camera.hi.x - ImGui::CalcTextSize(text.c_str()).x - grid(2),
+                camera.hi.y - ImGui::GetTextLineHeight() - grid(1)},
+               ink::dim, text.c_str());
 }
 
 }  // namespace

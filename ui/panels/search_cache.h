@@ -12,15 +12,17 @@ namespace svoscope::ui {
 
 class SearchCache {
  public:
-  using Explain = std::function<Result<SearchDetail>(const SeedView&, const SeedUpdateView&, const Snapshot&, const RunInfo&,
-                                                     const Snapshot* later)>;
+  using Explain =
+      std::function<Result<SearchDetail>(const SeedView&, const SeedUpdateView&, const Snapshot&,
+                                         const RunInfo&, const Snapshot* later)>;
 
   SearchCache();  ///< with the engine's explainSearch
   void setExplain(Explain explain) { explain_ = std::move(explain); }
 
-  /// `published`: frame of the snapshot that brought the update. Null with a reason in problem() if the frame is no longer held, or the engine cannot tell.
-  const SearchDetail* find(const Runner& runner, const SeedView& seed, const SeedUpdateView& update, int update_index,
-                           int published);
+  /// `published`: frame of the snapshot that brought the update. Null with a reason in problem() if
+  /// the frame is no longer held, or the engine cannot tell.
+  const SearchDetail* find(const Runner& runner, const SeedView& seed, const SeedUpdateView& update,
+                           int update_index, int published);
   const std::string& problem() const { return problem_; }
   /// Changes with the content; for textures.
   std::uint64_t version() const { return version_; }
@@ -44,8 +46,9 @@ class SearchCache {
 
 /// Corners in the reference image of what the 8x8 patch covers in the searched one, by the affine
 /// warp at the belief's distance; empty if it cannot be told.
-std::vector<Vec2f> warpedFootprint(const SeedView& seed, const SeedUpdateView& update, const Snapshot& searched,
-                                   const Pinhole& camera, int search_level);
+std::vector<Vec2f> warpedFootprint(const SeedView& seed, const SeedUpdateView& update,
+                                   const Snapshot& searched, const Pinhole& camera,
+                                   int search_level);
 
 /// What became of the best sample: "best, accepted", "best, above the limit", ...
 std::string bestSampleText(const SearchDetail& detail);

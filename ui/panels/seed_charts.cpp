@@ -14,12 +14,16 @@ namespace {
 
 constexpr Rule kRules[] = {Rule::kl, Rule::js};
 
-const BeliefView& after(const SeedUpdateView& u, Rule rule) { return rule == Rule::kl ? u.kl_after : u.js_after; }
-const BeliefView& before(const SeedUpdateView& u, Rule rule) { return rule == Rule::kl ? u.kl_before : u.js_before; }
+const BeliefView& after(const SeedUpdateView& u, Rule rule) {
+  return rule == Rule::kl ? u.kl_after : u.js_after;
+}
+const BeliefView& before(const SeedUpdateView& u, Rule rule) {
+  return rule == Rule::kl ? u.kl_before : u.js_before;
+}
 
 bool measured(const SeedUpdateView& u) {
-  return (u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked) && std::isfinite(u.x) &&
-         std::isfinite(u.tau) && u.tau > 0;
+  return (u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked) &&
+         std::isfinite(u.x) && std::isfinite(u.tau) && u.tau > 0;
 }
 
 void widen(Range& r, double lo, double hi) {
@@ -37,12 +41,14 @@ Range shownRange(PanelContext& c, const ViewedUpdate& v, double truth) {
         if (drawable(*b)) widen(r, b->mu - 3.5 * b->sigma, b->mu + 3.5 * b->sigma);
       }
     }
-    if (measured(*v.update) && r.lo < r.hi) {  // a far or wide measurement must not flatten the belief
+    if (measured(*v.update) &&
+        r.lo < r.hi) {  // a far or wide measurement must not flatten the belief
       const double reach = 2 * (r.hi - r.lo);
       widen(r, std::max(r.lo - reach, v.update->x - 2.5 * v.update->tau),
             std::min(r.hi + reach, v.update->x + 2.5 * v.update->tau));
     }
-    if (truth > 0 && std::abs(truth - (r.lo + r.hi) / 2) < 2 * (r.hi - r.lo)) widen(r, truth, truth);
+    if (truth > 0 && std::abs(truth - (r.lo + r.hi) / 2) < 2 * (r.hi - r.lo))
+      widen(r, truth, truth);
   }
   if (r.lo >= r.hi) r = {0, whole};
   r = padded(r, 0.04, false);
@@ -50,9 +56,11 @@ Range shownRange(PanelContext& c, const ViewedUpdate& v, double truth) {
 }
 
 struct Scene {
-  Range z, shown;       // inverse distance, and what is drawn
+  Range z, shown;  // inverse distance, and what is drawn
   bool distance = false;
-  double toShown(double value) const { return distance ? (value > 0 ? 1 / value : INFINITY) : value; }
+  double toShown(double value) const {
+    return distance ? (value > 0 ? 1 / value : INFINITY) : value;
+  }
   Curve curve(double mu, double sigma) const {
     return distance ? gaussianAsDistance(mu, sigma, shown) : gaussianCurve(mu, sigma, shown);
   }
@@ -93,7 +101,8 @@ void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gat
   spec.x = s.shown;
   spec.y_ticks = false;
   spec.size = size;
-  spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed}, {"JS", ruleColor(Rule::js), Swatch::line},
+  spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed},
+                 {"JS", ruleColor(Rule::js), Swatch::line},
                  {"faint: before", ink::faint, Swatch::line}};
   Curve measurement, prior, now[2], then[2];
   float top = 0;
@@ -110,11 +119,12 @@ void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gat
     const BeliefView& first = v.trace->updates.front().kl_before;
     if (v.index > 0 && drawable(first)) prior = s.curve(first.mu, first.sigma);
   }
-  if (!measurement.x.empty()) spec.legend.push_back({"measurement", ink::measurement, Swatch::line});
+  if (!measurement.x.empty())
+    spec.legend.push_back({"measurement", ink::measurement, Swatch::line});
   if (!prior.x.empty()) spec.legend.push_back({"first held", ink::prior, Swatch::dashed});
   if (truth > 0) spec.legend.push_back({"true", ink::cursor, Swatch::line});
-  spec.legend.push_back({format("±R/%.0f: converged", 1 / std::max(1e-9, gates.converged_fraction)), ink::threshold,
-                         Swatch::line});
+  spec.legend.push_back({format("±R/%.0f: converged", 1 / std::max(1e-9, gates.converged_fraction)),
+                         ink::threshold, Swatch::line});
   spec.y = {0, top > 0 ? 1.12 * top : 1};
   Chart chart(spec);
   if (range > 0) gatesOnAxis(chart, s, range);
@@ -132,7 +142,8 @@ void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gat
   if (v.update && range > 0) {
     const BeliefView& a = drawable(v.update->js_after) ? v.update->js_after : v.update->kl_after;
     const double half = range * gates.converged_fraction;
-    if (std::isfinite(a.mu)) chart.spanAt(s.toShown(a.mu + half), s.toShown(a.mu - half), 0.05f, ink::threshold);
+    if (std::isfinite(a.mu))
+      chart.spanAt(s.toShown(a.mu + half), s.toShown(a.mu - half), 0.05f, ink::threshold);
   }
   if (!chart.hovered()) return;
   ImGui::BeginTooltip();

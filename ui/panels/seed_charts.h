@@ -14,22 +14,23 @@ void ratioDensityChart(const ViewedUpdate& v, const FilterGates& gates, ImVec2 s
 
 /// Columns of a trace: one entry per update.
 struct TraceColumns {
-  std::vector<float> step;                          ///< 1, 2, ...
-  std::vector<float> x, x_lo, x_hi;                 ///< measurement -/+ tau; NaN if none
+  std::vector<float> step;           ///< 1, 2, ...
+  std::vector<float> x, x_lo, x_hi;  ///< measurement -/+ tau; NaN if none
   struct PerRule {
     std::vector<float> mu, lo, hi, sigma_ratio, inlier_ratio;
   };
   PerRule rule[2];
-  std::vector<float> failed;                        ///< steps without a match
+  std::vector<float> failed;  ///< steps without a match
 };
 TraceColumns traceColumns(const SeedTrace& trace);
 
 /// The three histories; a click looks at that update.
-void beliefHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& columns, ImVec2 size);
-void sigmaHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& columns, const FilterGates& gates,
-                  ImVec2 size);
-void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& columns, const FilterGates& gates,
-                  ImVec2 size);
+void beliefHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& columns,
+                   ImVec2 size);
+void sigmaHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& columns,
+                  const FilterGates& gates, ImVec2 size);
+void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& columns,
+                  const FilterGates& gates, ImVec2 size);
 
 /// Pinned seeds, one compact row each.
 void pinnedRows(PanelContext& c, const FilterGates& gates);

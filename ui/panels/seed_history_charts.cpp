@@ -15,7 +15,9 @@ namespace {
 
 constexpr Rule kRules[] = {Rule::kl, Rule::js};
 
-const BeliefView& after(const SeedUpdateView& u, Rule rule) { return rule == Rule::kl ? u.kl_after : u.js_after; }
+const BeliefView& after(const SeedUpdateView& u, Rule rule) {
+  return rule == Rule::kl ? u.kl_after : u.js_after;
+}
 
 ChartSpec historySpec(const char* id, const char* title, const TraceColumns& t, ImVec2 size) {
   ChartSpec spec;
@@ -24,9 +26,11 @@ ChartSpec historySpec(const char* id, const char* title, const TraceColumns& t, 
   // Most happens in the first few updates: a long history is spread by decades.
   spec.log_x = t.step.size() > 40;
   spec.x_label = spec.log_x ? "Update (log)" : "Update";
-  spec.x = {spec.log_x ? 0.9 : 0.5, std::max(2.0, static_cast<double>(t.step.size())) * (spec.log_x ? 1.05 : 1) + 0.5};
+  spec.x = {spec.log_x ? 0.9 : 0.5,
+            std::max(2.0, static_cast<double>(t.step.size())) * (spec.log_x ? 1.05 : 1) + 0.5};
   spec.size = size;
-  spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed}, {"JS", ruleColor(Rule::js), Swatch::line}};
+  spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed},
+                 {"JS", ruleColor(Rule::js), Swatch::line}};
   return spec;
 }
 
@@ -63,7 +67,8 @@ TraceColumns traceColumns(const SeedTrace& trace) {
   for (std::size_t i = 0; i < trace.updates.size(); ++i) {
     const SeedUpdateView& u = trace.updates[i];
     const auto step = static_cast<float>(i + 1);
-    const bool has = (u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked) && u.tau > 0;
+    const bool has =
+        (u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked) && u.tau > 0;
     t.step.push_back(step);
     t.x.push_back(has ? u.x : NAN);
     t.x_lo.push_back(has ? u.x - u.tau : NAN);
@@ -98,7 +103,8 @@ void beliefHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t
   if (r.lo <= r.hi) {  // an outlier measurement must not flatten the rest
     const double reach = std::max(r.span(), 1e-6);
     r = {std::max(with.lo, r.lo - reach), std::min(with.hi, r.hi + reach)};
-    if (truth > r.lo - reach && truth < r.hi + reach) r = {std::min(r.lo, truth), std::max(r.hi, truth)};
+    if (truth > r.lo - reach && truth < r.hi + reach)
+      r = {std::min(r.lo, truth), std::max(r.hi, truth)};
   }
   spec.y = padded(r, 0.08, false);
   if (truth > 0) spec.legend.push_back({"true", ink::cursor, Swatch::line});
@@ -115,35 +121,39 @@ void beliefHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t
     if (bars) chart.errorBar(t.step[i], t.x_lo[i], t.x_hi[i], withAlpha(ink::measurement, 0.65f));
     chart.point(t.step[i], t.x[i], PointShape::circle, bars ? 2.5f : 1.5f, ink::measurement);
   }
-  for (const float step : t.failed) chart.point(step, spec.y.lo + 0.05 * spec.y.span(), PointShape::cross, 3, ink::threshold);
+  for (const float step : t.failed)
+    chart.point(step, spec.y.lo + 0.05 * spec.y.span(), PointShape::cross, 3, ink::threshold);
   stepping(c, chart, v);
 }
 
-void sigmaHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t, const FilterGates& gates,
-                  ImVec2 size) {
+void sigmaHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
+                  const FilterGates& gates, ImVec2 size) {
   ChartSpec spec = historySpec("Sigma history", "Uncertainty σ / R", t, size);
   spec.log_y = true;
   Range r{gates.converged_fraction, gates.converged_fraction};
   for (const auto& rule : t.rule) {
-    const Range f = finiteRange(rule.sigma_ratio.data(), static_cast<int>(rule.sigma_ratio.size()), true);
+    const Range f =
+        finiteRange(rule.sigma_ratio.data(), static_cast<int>(rule.sigma_ratio.size()), true);
     if (f.lo <= f.hi) r = {std::min(r.lo, f.lo), std::max(r.hi, f.hi)};
   }
   spec.y = padded(r, 0.1, true);
   Chart chart(spec);
   for (const Rule rule : kRules) {
-    chart.line(t.step, t.rule[static_cast<int>(rule)].sigma_ratio, {ruleColor(rule), 1.8f, rule == Rule::kl});
+    chart.line(t.step, t.rule[static_cast<int>(rule)].sigma_ratio,
+               {ruleColor(rule), 1.8f, rule == Rule::kl});
   }
   chart.markY(gates.converged_fraction, {ink::threshold, 1, true}, "converged below");
   stepping(c, chart, v);
 }
 
-void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t, const FilterGates& gates,
-                  ImVec2 size) {
+void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
+                  const FilterGates& gates, ImVec2 size) {
   ChartSpec spec = historySpec("Inlier ratio history", "Inlier ratio a/(a+b)", t, size);
   spec.y = {0, 1};
   Chart chart(spec);
   for (const Rule rule : kRules) {
-    chart.line(t.step, t.rule[static_cast<int>(rule)].inlier_ratio, {ruleColor(rule), 1.8f, rule == Rule::kl});
+    chart.line(t.step, t.rule[static_cast<int>(rule)].inlier_ratio,
+               {ruleColor(rule), 1.8f, rule == Rule::kl});
   }
   chart.markY(gates.min_ratio, {ink::threshold, 1, true}, "gate");
   chart.markY(gates.reject_ratio, {ink::threshold, 1, true}, "rejected below");
@@ -152,19 +162,24 @@ void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
 
 std::string traceCsv(const SeedTrace& trace) {
   std::string text =
-      "seed,update,frame,outcome,x,tau,score,kl_mu_before,kl_sigma_before,kl_a_before,kl_b_before,kl_mu,kl_sigma,"
+      "seed,update,frame,outcome,x,tau,score,kl_mu_before,kl_sigma_before,kl_a_before,kl_b_before,"
+      "kl_mu,kl_sigma,"
       "kl_a,kl_b,js_mu_before,js_sigma_before,js_a_before,js_b_before,js_mu,js_sigma,js_a,js_b,"
       "kl_belief_measurement,kl_measurement_belief,jsd,affinity\n";
-  const auto belief = [&](const BeliefView& b) { text += format(",%.9g,%.9g,%.9g,%.9g", b.mu, b.sigma, b.a, b.b); };
+  const auto belief = [&](const BeliefView& b) {
+    text += format(",%.9g,%.9g,%.9g,%.9g", b.mu, b.sigma, b.a, b.b);
+  };
   for (std::size_t i = 0; i < trace.updates.size(); ++i) {
     const SeedUpdateView& u = trace.updates[i];
-    text += format("%lld,%d,%d,%s,%.9g,%.9g,%.6g", static_cast<long long>(u.seed_id), static_cast<int>(i + 1),
-                   u.frame_index, searchOutcomeName(u.outcome), u.x, u.tau, u.score);
+    text += format("%lld,%d,%d,%s,%.9g,%.9g,%.6g", static_cast<long long>(u.seed_id),
+                   static_cast<int>(i + 1), u.frame_index, searchOutcomeName(u.outcome), u.x, u.tau,
+                   u.score);
     belief(u.kl_before);
     belief(u.kl_after);
     belief(u.js_before);
     belief(u.js_after);
-    text += format(",%.9g,%.9g,%.9g,%.9g\n", u.kl_belief_measurement, u.kl_measurement_belief, u.jsd, u.affinity);
+    text += format(",%.9g,%.9g,%.9g,%.9g\n", u.kl_belief_measurement, u.kl_measurement_belief,
+                   u.jsd, u.affinity);
   }
   return text;
 }

@@ -19,7 +19,8 @@ namespace {
 
 std::string endingText(const PanelContext& c, const SeedTrace& t) {
   const SeedView& s = *t.last;
-  if (s.ending != SeedEnding::none) return format("ended in frame %d: %s", t.last_frame, seedEndingName(s.ending));
+  if (s.ending != SeedEnding::none)
+    return format("ended in frame %d: %s", t.last_frame, seedEndingName(s.ending));
   if (t.last_frame < c.engineFrame()) return format("last held in frame %d", t.last_frame);
   return seedStatusName(s.status);
 }
@@ -30,7 +31,8 @@ void header(PanelContext& c, const ViewedUpdate& v) {
   ImGui::Text("Seed %lld", static_cast<long long>(t.id));
   if (t.last) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%s, level %d, keyframe %d", featureTypeName(t.last->type), t.last->level, t.last->keyframe_id);
+    ImGui::TextDisabled("%s, level %d, keyframe %d", featureTypeName(t.last->type), t.last->level,
+                        t.last->keyframe_id);
     const std::string ending = endingText(c, t);
     sameLineIfFits(ImGui::CalcTextSize(ending.c_str()).x);
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(seedColor(*t.last)));
@@ -43,15 +45,18 @@ void header(PanelContext& c, const ViewedUpdate& v) {
 void options(PanelContext& c, const ViewedUpdate& v) {
   SeedOptions& o = c.state.seed;
   const bool pinned = isPinned(c, v.trace->id);
-  if (button(pinned ? "Unpin" : "Pin", {"Keep this seed in view when another one is selected"}, pinned)) {
+  if (button(pinned ? "Unpin" : "Pin", {"Keep this seed in view when another one is selected"},
+             pinned)) {
     togglePin(c, v.trace->id);
   }
   sameLineIfFits(buttonWidth("Distance"));
   toggle("Distance", o.distance, "Densities over distance instead of inverse distance");
   sameLineIfFits(buttonWidth("Whole range"));
-  toggle("Whole range", o.whole_range, "Densities from infinity to the nearest distance, instead of about the belief");
+  toggle("Whole range", o.whole_range,
+         "Densities from infinity to the nearest distance, instead of about the belief");
   sameLineIfFits(buttonWidth("Image follows"));
-  toggle("Image follows", o.image_follows, "Stepping through updates shows the frame they belong to");
+  toggle("Image follows", o.image_follows,
+         "Stepping through updates shows the frame they belong to");
   sameLineIfFits(buttonWidth("Export CSV"));
   if (button("Export CSV", {"All held updates of this seed"})) {
     exportText(c, format("seed_%lld.csv", static_cast<long long>(v.trace->id)), traceCsv(*v.trace));
@@ -62,21 +67,29 @@ void stepper(PanelContext& c, const ViewedUpdate& v) {
   const int count = static_cast<int>(v.trace->updates.size());
   const char* none_before = v.index <= 0 ? "This is the first one held" : nullptr;
   const char* none_after = v.index >= count - 1 ? "This is the last one" : nullptr;
-  if (iconButton("First update", Icon::first, {"First update held", none_before})) viewUpdate(c, *v.trace, 0);
+  if (iconButton("First update", Icon::first, {"First update held", none_before}))
+    viewUpdate(c, *v.trace, 0);
   ImGui::SameLine();
-  if (iconButton("Previous update", Icon::back, {"Update before (,)", none_before})) viewUpdate(c, *v.trace, v.index - 1);
+  if (iconButton("Previous update", Icon::back, {"Update before (,)", none_before}))
+    viewUpdate(c, *v.trace, v.index - 1);
   ImGui::SameLine();
-  if (iconButton("Next update", Icon::step, {"Next update (.)", none_after})) viewUpdate(c, *v.trace, v.index + 1);
+  if (iconButton("Next update", Icon::step, {"Next update (.)", none_after}))
+    viewUpdate(c, *v.trace, v.index + 1);
   ImGui::SameLine();
-  if (iconButton("Last update", Icon::last, {"Last update", none_after})) viewUpdate(c, *v.trace, count - 1);
+  if (iconButton("Last update", Icon::last, {"Last update", none_after}))
+    viewUpdate(c, *v.trace, count - 1);
   ImGui::SameLine();
   int shown = v.index + 1;
-  ImGui::SetNextItemWidth(std::max(ImGui::GetFontSize() * 6, ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 14));
-  const bool moved = ImGui::SliderInt("##update", &shown, 1, count, format("%%d of %d", count).c_str(), ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SetNextItemWidth(std::max(ImGui::GetFontSize() * 6,
+                                   ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 14));
+  const bool moved =
+      ImGui::SliderInt("##update", &shown, 1, count, format("%%d of %d", count).c_str(),
+                       ImGuiSliderFlags_AlwaysClamp);
   Probe::record("update");
   if (moved && shown != v.index + 1) viewUpdate(c, *v.trace, shown - 1);
   if (!v.update) return;
-  const std::string text = format("frame %d, %s", v.update->frame_index, searchOutcomeName(v.update->outcome));
+  const std::string text =
+      format("frame %d, %s", v.update->frame_index, searchOutcomeName(v.update->outcome));
   sameLineIfFits(ImGui::CalcTextSize(text.c_str()).x);
   ImGui::TextUnformatted(text.c_str());
 }
@@ -92,7 +105,8 @@ void cell(const std::string& text, ImU32 color = ink::text) {
 }
 
 void factsTable(const std::vector<SeedFact>& facts) {
-  const ImGuiTableFlags flags = ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg;
+  const ImGuiTableFlags flags =
+      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg;
   if (!ImGui::BeginTable("##facts", 3, flags)) return;
   ImGui::TableSetupColumn("", 0, 1.1f);
   ImGui::TableSetupColumn("", 0, 1.5f);
@@ -110,7 +124,8 @@ void factsTable(const std::vector<SeedFact>& facts) {
   ImGui::EndTable();
 }
 
-std::string change(const BeliefView& before, const BeliefView& after, const char* pattern, float BeliefView::*field) {
+std::string change(const BeliefView& before, const BeliefView& after, const char* pattern,
+                   float BeliefView::*field) {
   if (!drawable(after)) return "not computed";
   const std::string now = format(pattern, static_cast<double>(after.*field));
   return drawable(before) ? format(pattern, static_cast<double>(before.*field)) + " → " + now : now;
@@ -125,12 +140,14 @@ std::string truthText(const BeliefView& b, double truth) {
 void measurementLine(const SeedUpdateView& u, const SeedView* seed, double truth) {
   std::string text = u.tau > 0 ? format("Measured x %.4f ± %.4f 1/map unit", u.x, u.tau)
                                : format("No measurement: %s", searchOutcomeName(u.outcome));
-  if (truth > 0) text += format(", true distance %.3f map units", 1 / truth);
-  else if (seed && seed->true_inv_distance > 0) text += format(", true distance %.3f m, no scale yet", 1 / seed->true_inv_distance);
+  if (truth > 0)
+    text += format(", true distance %.3f map units", 1 / truth);
+  else if (seed && seed->true_inv_distance > 0)
+    text += format(", true distance %.3f m, no scale yet", 1 / seed->true_inv_distance);
   note(text);
   if (!(u.tau > 0)) return;
-  note(format("Belief p, measurement q: KL(p||q) %.3g, KL(q||p) %.3g, JS %.4f nats, w %.3f", u.kl_belief_measurement,
-              u.kl_measurement_belief, u.jsd, u.affinity));
+  note(format("Belief p, measurement q: KL(p||q) %.3g, KL(q||p) %.3g, JS %.4f nats, w %.3f",
+              u.kl_belief_measurement, u.kl_measurement_belief, u.jsd, u.affinity));
 }
 
 void charts(PanelContext& c, const ViewedUpdate& v) {
@@ -140,8 +157,10 @@ void charts(PanelContext& c, const ViewedUpdate& v) {
   const bool wide = ImGui::GetContentRegionAvail().x > font * 52;
   const float room = ImGui::GetContentRegionAvail().y;
   const int rows = wide ? 3 : 5;
-  const float height = std::clamp(std::floor(room / static_cast<float>(rows)) - grid(2), font * 9.5f, font * 17);
-  const float gap = grid(2), full = ImGui::GetContentRegionAvail().x, half = wide ? std::floor((full - gap) / 2) : full;
+  const float height =
+      std::clamp(std::floor(room / static_cast<float>(rows)) - grid(2), font * 9.5f, font * 17);
+  const float gap = grid(2), full = ImGui::GetContentRegionAvail().x,
+              half = wide ? std::floor((full - gap) / 2) : full;
   const auto pair = [&] {
     if (wide) ImGui::SameLine(0, gap);
   };
@@ -158,17 +177,24 @@ void charts(PanelContext& c, const ViewedUpdate& v) {
 
 std::vector<SeedFact> seedFacts(const SeedUpdateView& u, double truth) {
   const auto both = [&](const char* name, const char* pattern, float BeliefView::*field) {
-    return SeedFact{name, change(u.kl_before, u.kl_after, pattern, field), change(u.js_before, u.js_after, pattern, field)};
+    return SeedFact{name, change(u.kl_before, u.kl_after, pattern, field),
+                    change(u.js_before, u.js_after, pattern, field)};
   };
   const auto ratio = [](const BeliefView& before, const BeliefView& after) {
     if (!drawable(after)) return std::string("not computed");
     const double then = inlierRatio(before), now = inlierRatio(after);
-    return std::isfinite(now) && std::isfinite(then) ? format("%.3f → %.3f", then, now) : std::string("–");
+    return std::isfinite(now) && std::isfinite(then) ? format("%.3f → %.3f", then, now)
+                                                     : std::string("–");
   };
-  std::vector<SeedFact> facts{both("μ, 1/map unit", "%.5f", &BeliefView::mu), both("σ, 1/map unit", "%.5f", &BeliefView::sigma),
-                              both("a", "%.2f", &BeliefView::a), both("b", "%.2f", &BeliefView::b),
-                              {"Inlier ratio", ratio(u.kl_before, u.kl_after), ratio(u.js_before, u.js_after)}};
-  if (truth > 0) facts.push_back({"Error of distance", truthText(u.kl_after, truth), truthText(u.js_after, truth)});
+  std::vector<SeedFact> facts{
+      both("μ, 1/map unit", "%.5f", &BeliefView::mu),
+      both("σ, 1/map unit", "%.5f", &BeliefView::sigma),
+      both("a", "%.2f", &BeliefView::a),
+      both("b", "%.2f", &BeliefView::b),
+      {"Inlier ratio", ratio(u.kl_before, u.kl_after), ratio(u.js_before, u.js_after)}};
+  if (truth > 0)
+    facts.push_back(
+        {"Error of distance", truthText(u.kl_after, truth), truthText(u.js_after, truth)});
   return facts;
 }
 

@@ -29,7 +29,8 @@ void polyline(const Box& box, const std::vector<ImVec2>& unit, ImU32 color, bool
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (std::size_t i = 1; i < unit.size(); ++i) {
     if (dashed && i % 6 >= 4) continue;
-    pen::line(list, box.at(unit[i - 1].x, unit[i - 1].y), box.at(unit[i].x, unit[i].y), color, dp(1.5f));
+    pen::line(list, box.at(unit[i - 1].x, unit[i - 1].y), box.at(unit[i].x, unit[i].y), color,
+              dp(1.5f));
   }
 }
 
@@ -48,7 +49,8 @@ void densities(const Box& box, const SeedView& s, double truth) {
     }
     polyline(box, unit, ruleColor(rule), rule == Rule::kl);
   }
-  if (truth > 0 && truth < range) pen::line(list, box.at(truth / range, 0), box.at(truth / range, 1), ink::cursor, dp(1));
+  if (truth > 0 && truth < range)
+    pen::line(list, box.at(truth / range, 0), box.at(truth / range, 1), ink::cursor, dp(1));
 }
 
 void convergence(const Box& box, const TraceColumns& t, double gate, std::size_t most) {
@@ -57,13 +59,16 @@ void convergence(const Box& box, const TraceColumns& t, double gate, std::size_t
   const auto height = [&](double ratio) {  // 3 decades: 0.001 .. 1
     return ratio > 0 ? static_cast<float>(std::clamp(1 + std::log10(ratio) / 3, 0.0, 1.0)) : 0;
   };
-  pen::line(list, box.at(0, height(gate)), box.at(1, height(gate)), withAlpha(ink::threshold, 0.8f), dp(1));
+  pen::line(list, box.at(0, height(gate)), box.at(1, height(gate)), withAlpha(ink::threshold, 0.8f),
+            dp(1));
   for (const Rule rule : kRules) {
     const auto& sigma = t.rule[static_cast<int>(rule)].sigma_ratio;
     std::vector<ImVec2> unit;
     for (std::size_t i = 0; i < sigma.size(); ++i) {
       if (std::isfinite(sigma[i])) {
-        unit.push_back({static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(1, most - 1)), height(sigma[i])});
+        unit.push_back(
+            {static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(1, most - 1)),
+             height(sigma[i])});
       }
     }
     polyline(box, unit, ruleColor(rule), rule == Rule::kl);
@@ -76,7 +81,8 @@ void row(PanelContext& c, const SeedTrace& t, const FilterGates& gates, std::siz
   const float full = ImGui::GetContentRegionAvail().x, text = font * 11, gap = grid(2);
   const float width = std::max(grid(4), (full - text - 2 * gap) / 2);
   const std::string label = format("pin:%lld", static_cast<long long>(t.id));
-  if (ImGui::InvisibleButton(label.c_str(), {full, height})) c.state.selection = {Selection::Kind::seed, t.id};
+  if (ImGui::InvisibleButton(label.c_str(), {full, height}))
+    c.state.selection = {Selection::Kind::seed, t.id};
   Probe::record(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   tooltip("Click to select this seed");
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -84,12 +90,13 @@ void row(PanelContext& c, const SeedTrace& t, const FilterGates& gates, std::siz
   const std::string name = format("Seed %lld", static_cast<long long>(t.id));
   pen::text(list, {at.x, at.y + grid(0.5f)}, selected ? ink::selected : ink::text, name.c_str());
   if (!t.last) return;
-  const std::string status = std::string(seedStatusName(t.last->status)) + ", " + counted(t.last->updates, "update");
+  const std::string status =
+      std::string(seedStatusName(t.last->status)) + ", " + counted(t.last->updates, "update");
   pen::text(list, {at.x, at.y + font + grid(0.5f)}, seedColor(*t.last), status.c_str());
   const float x = at.x + text;
   densities({{x, at.y}, {x + width, at.y + height}}, *t.last, trueInverseDistance(c, *t.last));
-  convergence({{x + width + gap, at.y}, {x + 2 * width + gap, at.y + height}}, traceColumns(t), gates.converged_fraction,
-              most);
+  convergence({{x + width + gap, at.y}, {x + 2 * width + gap, at.y + height}}, traceColumns(t),
+              gates.converged_fraction, most);
 }
 
 }  // namespace

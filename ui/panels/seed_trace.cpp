@@ -12,7 +12,9 @@
 namespace svoscope::ui {
 
 int SeedTrace::lastAt(int frame) const {
-  return static_cast<int>(std::upper_bound(published.begin(), published.end(), frame) - published.begin()) - 1;
+  return static_cast<int>(std::upper_bound(published.begin(), published.end(), frame) -
+                          published.begin()) -
+         1;
 }
 
 void SeedTraces::add(SeedTrace& t, const Snapshot& s) {
@@ -30,12 +32,14 @@ void SeedTraces::add(SeedTrace& t, const Snapshot& s) {
   }
 }
 
-void SeedTraces::update(const Runner& runner, const std::vector<std::int64_t>& ids, const SnapshotPtr& latest) {
+void SeedTraces::update(const Runner& runner, const std::vector<std::int64_t>& ids,
+                        const SnapshotPtr& latest) {
   const int generation = runner.generation();
   if (generation != generation_) entries_.clear();
   generation_ = generation;
   for (auto it = entries_.begin(); it != entries_.end();) {
-    it = std::find(ids.begin(), ids.end(), it->first) == ids.end() ? entries_.erase(it) : std::next(it);
+    it = std::find(ids.begin(), ids.end(), it->first) == ids.end() ? entries_.erase(it)
+                                                                   : std::next(it);
   }
   if (!latest) return;
   const int first = runner.status().history_first;
@@ -114,11 +118,13 @@ bool saysNoSeed(PanelContext& c, const ViewedUpdate& v) {
 bool saysNoUpdate(const PanelContext& c, const SeedTrace& trace) {
   if (!trace.updates.empty()) return false;
   if (trace.last && trace.last->type == FeatureType::segment) {
-    emptyState("Updates of segment seeds are not kept", "Choose the seed of a corner or an edgelet");
+    emptyState("Updates of segment seeds are not kept",
+               "Choose the seed of a corner or an edgelet");
   } else if (trace.last && trace.last->updates + trace.last->failures == 0) {
     emptyState("No update of this seed yet", "It was made, but not searched for");
   } else {
-    emptyState("No update of this seed is held", format("The history keeps frames from %d on", c.status.history_first));
+    emptyState("No update of this seed is held",
+               format("The history keeps frames from %d on", c.status.history_first));
   }
   return true;
 }
@@ -127,7 +133,8 @@ bool showsMore(const SeedView& a, const SeedView& b, bool open_first) {
   const auto rank = [open_first](const SeedView& s) {
     const bool point = s.type != FeatureType::segment, open = s.status == SeedStatus::active;
     const bool matched = s.outcome == SearchOutcome::matched;
-    return std::tuple(point, s.updates > 0, open_first ? (open ? 2 : 0) + (matched ? 1 : 0) : 0, s.updates);
+    return std::tuple(point, s.updates > 0, open_first ? (open ? 2 : 0) + (matched ? 1 : 0) : 0,
+                      s.updates);
   };
   return rank(a) > rank(b);
 }
@@ -141,9 +148,12 @@ void togglePin(PanelContext& c, std::int64_t id) {
   constexpr std::size_t kMost = 12;
   auto& pinned = c.state.seed.pinned;
   const auto it = std::find(pinned.begin(), pinned.end(), id);
-  if (it != pinned.end()) pinned.erase(it);
-  else if (pinned.size() < kMost) pinned.push_back(id);
-  else c.state.toasts.add(format("%d seeds are pinned, unpin one first", static_cast<int>(kMost)));
+  if (it != pinned.end())
+    pinned.erase(it);
+  else if (pinned.size() < kMost)
+    pinned.push_back(id);
+  else
+    c.state.toasts.add(format("%d seeds are pinned, unpin one first", static_cast<int>(kMost)));
 }
 
 FilterGates filterGates(const PanelContext& c) {
@@ -166,7 +176,9 @@ double trueInverseDistance(const PanelContext& c, const SeedView& seed) {
   return seed.true_inv_distance * truth.scale;
 }
 
-bool drawable(const BeliefView& b) { return std::isfinite(b.mu) && std::isfinite(b.sigma) && b.sigma > 0; }
+bool drawable(const BeliefView& b) {
+  return std::isfinite(b.mu) && std::isfinite(b.sigma) && b.sigma > 0;
+}
 
 double inlierRatio(const BeliefView& b) {
   const double n = static_cast<double>(b.a) + b.b;

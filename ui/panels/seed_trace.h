@@ -15,9 +15,9 @@ struct PanelContext;
 
 struct SeedTrace {
   std::int64_t id = -1;
-  std::vector<SeedUpdateView> updates;  ///< in the order of application
-  std::vector<int> published;           ///< frame of the snapshot each came with, never falling
-  std::optional<SeedView> last;         ///< newest state held
+  std::vector<SeedUpdateView> updates;    ///< in the order of application
+  std::vector<int> published;             ///< frame of the snapshot each came with, never falling
+  std::optional<SeedView> last;           ///< newest state held
   int first_frame = -1, last_frame = -1;  ///< snapshots that have the seed
 
   /// Index of the last update at or before a frame; -1 if none.
@@ -29,7 +29,8 @@ class SeedTraces {
   static constexpr std::size_t kMostUpdates = 5000;  ///< of one seed
 
   /// Extends the traces of `ids` by new snapshots; drops those of others.
-  void update(const Runner& runner, const std::vector<std::int64_t>& ids, const SnapshotPtr& latest);
+  void update(const Runner& runner, const std::vector<std::int64_t>& ids,
+              const SnapshotPtr& latest);
   const SeedTrace* find(std::int64_t id) const;
 
  private:
@@ -45,8 +46,8 @@ class SeedTraces {
 
 /// The update that the seed panels look at.
 struct ViewedUpdate {
-  const SeedTrace* trace = nullptr;         ///< null: no seed is selected, or nothing of it is held
-  const SeedUpdateView* update = nullptr;   ///< null: no update is held
+  const SeedTrace* trace = nullptr;        ///< null: no seed is selected, or nothing of it is held
+  const SeedUpdateView* update = nullptr;  ///< null: no update is held
   int index = -1;
 };
 /// Brings the traces up to date and applies a wish to step.
@@ -58,8 +59,8 @@ bool saysNoSeed(PanelContext& c, const ViewedUpdate& v);
 /// Says why no update of the seed is held; false if there are some.
 bool saysNoUpdate(const PanelContext& c, const SeedTrace& trace);
 
-/// Which of two seeds has more to show: updates are kept of point seeds only. Then those still open,
-/// just matched (both only if `open_first`), and with more updates.
+/// Which of two seeds has more to show: updates are kept of point seeds only. Then those still
+/// open, just matched (both only if `open_first`), and with more updates.
 bool showsMore(const SeedView& a, const SeedView& b, bool open_first);
 
 bool isPinned(const PanelContext& c, std::int64_t id);

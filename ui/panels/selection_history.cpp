@@ -10,9 +10,12 @@ namespace {
 
 Selection::Kind kindOf(FeatureOrigin origin) {
   switch (origin) {
-    case FeatureOrigin::landmark: return Selection::Kind::landmark;
-    case FeatureOrigin::track: return Selection::Kind::track;
-    default: return Selection::Kind::seed;
+    case FeatureOrigin::landmark:
+      return Selection::Kind::landmark;
+    case FeatureOrigin::track:
+      return Selection::Kind::track;
+    default:
+      return Selection::Kind::seed;
   }
 }
 

@@ -20,7 +20,7 @@ class SelectionHistory {
   /// Extends by new snapshots; starts again if the selection or the run changed.
   void update(const Runner& runner, const Selection& selection, const SnapshotPtr& latest);
 
-  std::vector<float> frames, residual, depth, observations;          ///< of features
+  std::vector<float> frames, residual, depth, observations;                     ///< of features
   std::vector<float> seed_frames, mu, mu_lo, mu_hi, sigma_ratio, inlier_ratio;  ///< of seeds
   int last_seen = -1;  ///< last frame in which the feature was measured or the seed existed
   std::optional<SeedView> last_seed;

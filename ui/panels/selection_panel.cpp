@@ -28,7 +28,8 @@ void referenceRow(PanelContext& c, int keyframe) {
   sameLineIfFits(ImGui::CalcTextSize("Show").x + 2 * grid(1.5f));
   const bool held = frame >= c.status.history_first;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), 0});
-  if (button("Show", {"View the keyframe's frame", held ? nullptr : "That frame is no longer held"})) {
+  if (button("Show",
+             {"View the keyframe's frame", held ? nullptr : "That frame is no longer held"})) {
     c.view(frame);
   }
   ImGui::PopStyleVar();
@@ -50,7 +51,8 @@ void featureRows(PanelContext& c, const FeatureView& f) {
   if (f.type == FeatureType::edgelet) {
     valueRow("Gradient", format("%.0f°", f.direction * 180.0 / 3.14159265358979));
   }
-  valueRow(f.origin == FeatureOrigin::landmark ? "Observations" : "Updates", format("%d", f.observations));
+  valueRow(f.origin == FeatureOrigin::landmark ? "Observations" : "Updates",
+           format("%d", f.observations));
   referenceRow(c, f.reference_keyframe);
 }
 
@@ -63,23 +65,27 @@ void pointRows(const MapPointView& p) {
 
 void seedRows(PanelContext& c, const SeedView& s) {
   heading("Belief");
-  valueRow("Status", format("%s after %s, %s", seedStatusName(s.status), counted(s.updates, "update").c_str(),
-                            counted(s.failures, "failure").c_str()),
+  valueRow("Status",
+           format("%s after %s, %s", seedStatusName(s.status), counted(s.updates, "update").c_str(),
+                  counted(s.failures, "failure").c_str()),
            seedColor(s));
   valueRow("Last search", searchOutcomeName(s.outcome));
   valueRow("Inverse distance", format("%.4f ± %.4f 1/map unit", s.mu, s.sigma));
   if (s.mu > 0) {
     const double far_end = s.mu > s.sigma ? 1 / (s.mu - s.sigma) : INFINITY;
     const std::string hi = std::isfinite(far_end) ? format("%.2f", far_end) : std::string("∞");
-    valueRow("Distance", format("%.3f map units, %.2f to %s", 1 / s.mu, 1 / (s.mu + s.sigma), hi.c_str()));
+    valueRow("Distance",
+             format("%.3f map units, %.2f to %s", 1 / s.mu, 1 / (s.mu + s.sigma), hi.c_str()));
   }
-  valueRow("Inlier ratio", format("%.2f   Beta(%.1f, %.1f)", s.a / std::max(1e-6f, s.a + s.b), s.a, s.b));
+  valueRow("Inlier ratio",
+           format("%.2f   Beta(%.1f, %.1f)", s.a / std::max(1e-6f, s.a + s.b), s.a, s.b));
   valueRow("σ / range", format("%.4f", s.range > 0 ? s.sigma / s.range : 0.0f));
   if (s.last_tau > 0) valueRow("Last measurement", format("%.4f ± %.4f", s.last_x, s.last_tau));
   if (s.true_inv_distance > 0) {
     const double aligned = trueInverseDistance(c, s);
-    valueRow("True distance", format("%.3f m", 1 / s.true_inv_distance) +
-                                  (aligned > 0 ? format(" = %.3f map units", 1 / aligned) : std::string()));
+    valueRow("True distance",
+             format("%.3f m", 1 / s.true_inv_distance) +
+                 (aligned > 0 ? format(" = %.3f map units", 1 / aligned) : std::string()));
   }
   if (s.visible) valueRow("Mean at", px(s.px));
   referenceRow(c, s.keyframe_id);
@@ -91,7 +97,8 @@ LinkedX historyFrames(const SelectionHistory& h) {
   x.known = {1e30, -1e30};
   for (const auto* frames : {&h.seed_frames, &h.frames}) {
     if (frames->empty()) continue;
-    x.known = {std::min<double>(x.known.lo, frames->front()), std::max<double>(x.known.hi, frames->back())};
+    x.known = {std::min<double>(x.known.lo, frames->front()),
+               std::max<double>(x.known.hi, frames->back())};
   }
   return x;
 }
@@ -146,17 +153,22 @@ void leftTheFrame(PanelContext& c) {
   } else {
     note("Not seen in this frame");
   }
-  if (h.last_seen != c.viewedFrame() && button("Go to last seen", {"View the last frame that has it"})) {
+  if (h.last_seen != c.viewedFrame() &&
+      button("Go to last seen", {"View the last frame that has it"})) {
     c.view(h.last_seen);
   }
 }
 
 const char* kindName(Selection::Kind kind) {
   switch (kind) {
-    case Selection::Kind::landmark: return "Landmark";
-    case Selection::Kind::seed: return "Seed";
-    case Selection::Kind::track: return "Start track";
-    case Selection::Kind::none: break;
+    case Selection::Kind::landmark:
+      return "Landmark";
+    case Selection::Kind::seed:
+      return "Seed";
+    case Selection::Kind::track:
+      return "Start track";
+    case Selection::Kind::none:
+      break;
   }
   return "";
 }

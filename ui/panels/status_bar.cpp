@@ -20,13 +20,15 @@ void gap() {
   ImGui::SameLine(0, grid(3));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine({at.x, at.y + grid(0.5f)},
-                                      {at.x, at.y + ImGui::GetTextLineHeight() - grid(0.25f)}, ink::line);
+                                      {at.x, at.y + ImGui::GetTextLineHeight() - grid(0.25f)},
+                                      ink::line);
   ImGui::Dummy({1, 1});
   ImGui::SameLine(0, grid(3));
 }
 
 void stateParts(const PanelContext& c) {
-  if (!c.record) return part(c.engineFrame() < 0 ? "Waiting for the first frame" : "This run has no such frame");
+  if (!c.record)
+    return part(c.engineFrame() < 0 ? "Waiting for the first frame" : "This run has no such frame");
   legendEntry(stateColor(c.record->state), Swatch::dot, stateLabel(c.record->state));
   if (const std::string reason = stateReason(*c.record); !reason.empty()) {
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

@@ -34,19 +34,24 @@ void barRow(Stage stage, double ms, double full, bool whole) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   pen::text(list, at, whole ? ink::text : ink::dim, stageLabel(stage));
   const auto length = static_cast<float>(std::clamp(ms / std::max(full, 1e-6), 0.0, 1.0)) * room;
-  if (ms > 0) pen::rectFilled(list, {at.x + name, at.y + grid(0.5f)}, {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
-                      whole ? IM_COL32(104, 116, 132, 255) : stageColor(stage), dp(1));
+  if (ms > 0)
+    pen::rectFilled(list, {at.x + name, at.y + grid(0.5f)},
+                    {at.x + name + std::max(1.0f, length), at.y + h - grid(0.5f)},
+                    whole ? IM_COL32(104, 116, 132, 255) : stageColor(stage), dp(1));
   const std::string text = format("%.2f", ms);
-  pen::text(list, {at.x + name + room + value - ImGui::CalcTextSize(text.c_str()).x, at.y}, ink::text, text.c_str());
+  pen::text(list, {at.x + name + room + value - ImGui::CalcTextSize(text.c_str()).x, at.y},
+            ink::text, text.c_str());
   ImGui::Dummy({name + room + value, h});
 }
 
 void budgetMark(ImVec2 from, float bottom, double full, double budget) {
   const float name = ImGui::GetFontSize() * 7.5f;
-  const float room = std::max(8.0f, ImGui::GetContentRegionAvail().x - name - ImGui::GetFontSize() * 4);
+  const float room =
+      std::max(8.0f, ImGui::GetContentRegionAvail().x - name - ImGui::GetFontSize() * 4);
   if (budget <= 0 || budget > full) return;
   const float x = from.x + name + static_cast<float>(budget / full) * room;
-  dashedLine(ImGui::GetWindowDrawList(), {{x, from.y}, {x, bottom}}, withAlpha(ink::text, 0.6f), dp(1), dp(3), dp(3));
+  dashedLine(ImGui::GetWindowDrawList(), {{x, from.y}, {x, bottom}}, withAlpha(ink::text, 0.6f),
+             dp(1), dp(3), dp(3));
 }
 
 void frameBars(PanelContext& c, double budget) {
@@ -56,7 +61,8 @@ void frameBars(PanelContext& c, double budget) {
   ImGui::TextUnformatted(frame.c_str());
   pen::itemText(ink::text, frame.c_str());
   ImGui::SameLine();
-  const std::string time = budget > 0 ? format("%.1f of %.1f ms at %.0f Hz", r.ms(Stage::tracking), budget, c.info.rate_hz)
+  const std::string time = budget > 0 ? format("%.1f of %.1f ms at %.0f Hz", r.ms(Stage::tracking),
+                                               budget, c.info.rate_hz)
                                       : format("%.1f ms", r.ms(Stage::tracking));
   ImGui::TextDisabled("%s", time.c_str());
   pen::itemText(ink::dim, time.c_str());
@@ -66,7 +72,8 @@ void frameBars(PanelContext& c, double budget) {
   barRow(Stage::mapping, r.ms(Stage::mapping), full, false);
   barRow(Stage::snapshot, r.ms(Stage::snapshot), full, false);
   budgetMark(from, ImGui::GetCursorScreenPos().y, full, budget);
-  if (c.status.mapping_queue > 0) valueRow("Mapping queue", format("%d jobs", c.status.mapping_queue));
+  if (c.status.mapping_queue > 0)
+    valueRow("Mapping queue", format("%d jobs", c.status.mapping_queue));
 }
 
 // The slowest frame of each column, so that no outlier is lost when frames outnumber pixels.
@@ -82,7 +89,8 @@ void frameAxis(const Strip& s, const std::vector<FrameRecord>& records) {
   if (records.empty()) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const int count = std::max(2, static_cast<int>((s.hi.x - s.lo.x) / (ImGui::GetFontSize() * 5)));
-  const int step = std::max(1, static_cast<int>(niceStep(records.back().index - records.front().index, count)));
+  const int step =
+      std::max(1, static_cast<int>(niceStep(records.back().index - records.front().index, count)));
   for (std::size_t row = 0; row < records.size(); ++row) {
     if (records[row].index % step != 0) continue;
     const float share = (static_cast<float>(row) + 0.5f) / static_cast<float>(records.size());
@@ -90,8 +98,9 @@ void frameAxis(const Strip& s, const std::vector<FrameRecord>& records) {
     const std::string text = tickLabel(records[row].index, step);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     pen::line(list, {x, s.hi.y}, {x, s.hi.y + grid(0.5f)}, ink::dim);
-    pen::text(list, {std::round(std::clamp(x - width / 2, s.lo.x, s.hi.x - width)), s.hi.y + grid(0.5f)}, ink::dim,
-              text.c_str());
+    pen::text(list,
+              {std::round(std::clamp(x - width / 2, s.lo.x, s.hi.x - width)), s.hi.y + grid(0.5f)},
+              ink::dim, text.c_str());
   }
 }
 
@@ -123,7 +132,8 @@ void drawColumns(const Strip& s, int viewed) {
       if (h > 0.2f) pen::rectFilled(list, {x, top}, {x + width, y}, stageColor(stage));
       y = top;
     }
-    const bool next_is_later = k + 1 == s.slowest.size() || !s.slowest[k + 1] || s.slowest[k + 1]->index > viewed;
+    const bool next_is_later =
+        k + 1 == s.slowest.size() || !s.slowest[k + 1] || s.slowest[k + 1]->index > viewed;
     if (r->index <= viewed && next_is_later) {
       const float c = std::round(x + width / 2);
       pen::line(list, {c, s.lo.y}, {c, s.hi.y}, ink::cursor, dp(1));
@@ -134,7 +144,8 @@ void drawColumns(const Strip& s, int viewed) {
 void stackedStrip(PanelContext& c, double budget) {
   const ImVec2 lo = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const ImVec2 hi{lo.x + std::max(8.0f, room.x), lo.y + std::max(grid(12), room.y - grid(1.5f) - ImGui::GetFontSize())};
+  const ImVec2 hi{lo.x + std::max(8.0f, room.x),
+                  lo.y + std::max(grid(12), room.y - grid(1.5f) - ImGui::GetFontSize())};
   ImDrawList* list = ImGui::GetWindowDrawList();
   pen::rectFilled(list, lo, hi, ink::canvas);
   const bool clicked = ImGui::InvisibleButton("##strip", {hi.x - lo.x, hi.y - lo.y});
@@ -151,7 +162,8 @@ void stackedStrip(PanelContext& c, double budget) {
     outlinedText(list, {lo.x + grid(1), y - ImGui::GetTextLineHeight()}, ink::text, text.c_str());
   }
   if (!hovered && !clicked) return;
-  const auto k = static_cast<std::size_t>(std::max(0.0f, (ImGui::GetIO().MousePos.x - lo.x) / s.width()));
+  const auto k =
+      static_cast<std::size_t>(std::max(0.0f, (ImGui::GetIO().MousePos.x - lo.x) / s.width()));
   if (k >= s.slowest.size() || !s.slowest[k]) return;
   ImGui::SetTooltip("Frame %d  %.1f ms", s.slowest[k]->index, partsSum(*s.slowest[k]));
   if (clicked) c.view(s.slowest[k]->index);
@@ -160,7 +172,8 @@ void stackedStrip(PanelContext& c, double budget) {
 }  // namespace
 
 void drawTimingPanel(PanelContext& c) {
-  if (!c.record) return emptyState("No times yet", "Each processed frame adds the time of every stage");
+  if (!c.record)
+    return emptyState("No times yet", "Each processed frame adds the time of every stage");
   const double budget = c.info.rate_hz > 0 ? 1000 / c.info.rate_hz : 0;
   frameBars(c, budget);
   heading("Tracking time over frames");

@@ -15,7 +15,8 @@ namespace {
 
 const char* whyNoForward(const PanelContext& c) {
   if (!c.status.finished || !c.live()) return nullptr;
-  return c.status.recorded ? "The recording ends here" : "The last frame was processed, reset to run again";
+  return c.status.recorded ? "The recording ends here"
+                           : "The last frame was processed, reset to run again";
 }
 
 const char* whyNoBack(const PanelContext& c) {
@@ -43,8 +44,10 @@ void playButtons(PanelContext& c) {
   ImGui::SameLine(0, grid(1));
   const char* step_hint = c.live() ? "Process one frame (Right)" : "Show the frame after (Right)";
   if (iconButton("Step", Icon::step, {step_hint, whyNoForward(c)})) {
-    if (c.live()) c.send(Command::Kind::step);
-    else c.view(c.viewedFrame() + 1);
+    if (c.live())
+      c.send(Command::Kind::step);
+    else
+      c.view(c.viewedFrame() + 1);
   }
   ImGui::SameLine(0, grid(1));
   if (iconButton("Live", Icon::last,
@@ -77,7 +80,7 @@ void runButtons(PanelContext& c) {
 
 void speedControl(PanelContext& c) {
   static const std::vector<const char*> names{"Max speed", "1 fps",  "2 fps", "5 fps",
-                                              "10 fps",              "20 fps", "30 fps"};
+                                              "10 fps",    "20 fps", "30 fps"};
   static const std::array<const char*, 7> values{"0", "1", "2", "5", "10", "20", "30"};
   const float width = ImGui::GetFontSize() * 6.5f;
   sameLineIfFits(width + grid(4));
@@ -90,8 +93,7 @@ void speedControl(PanelContext& c) {
   sameLineIfFits(buttonWidth("Reset"));
   const char* reset_hint = c.status.recorded ? "Play the recording from its first frame again"
                                              : "Start again at the first frame with an empty map";
-  if (button("Reset", {reset_hint,
-                       c.latest ? nullptr : "No frame was processed yet"})) {
+  if (button("Reset", {reset_hint, c.latest ? nullptr : "No frame was processed yet"})) {
     c.send(Command::Kind::reset);
   }
 }
@@ -99,26 +101,29 @@ void speedControl(PanelContext& c) {
 // Where one is: the newest frame, or in the past with a way back.
 void position(PanelContext& c) {
   if (c.live()) {
-    const std::string text =
-        !c.latest ? std::string("Not started")
-        : c.info.frames > 0 ? format("Frame %d (%d of %d)", c.engineFrame(), c.engineFrame() + 1, frameCount(c))
-                            : format("Frame %d", c.engineFrame());
+    const std::string text = !c.latest           ? std::string("Not started")
+                             : c.info.frames > 0 ? format("Frame %d (%d of %d)", c.engineFrame(),
+                                                          c.engineFrame() + 1, frameCount(c))
+                                                 : format("Frame %d", c.engineFrame());
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     sameLineIfFits(width);
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+    ImGui::SetCursorPosX(
+        std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text.c_str());
     return;
   }
-  const std::string text =
-      format("Viewing frame %d, %s at %d", c.viewedFrame(), c.status.recorded ? "played" : "engine", c.engineFrame());
+  const std::string text = format("Viewing frame %d, %s at %d", c.viewedFrame(),
+                                  c.status.recorded ? "played" : "engine", c.engineFrame());
   const char* back = c.status.recorded ? "Back to the end" : "Back to live";
   const float width = ImGui::CalcTextSize(text.c_str()).x + grid(6) + buttonWidth(back);
   sameLineIfFits(width);
-  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+  ImGui::SetCursorPosX(
+      std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(
-      {at.x, at.y}, {at.x + width, at.y + ImGui::GetFrameHeight()}, withAlpha(okabe::orange, 0.22f), dp(3));
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y},
+                                            {at.x + width, at.y + ImGui::GetFrameHeight()},
+                                            withAlpha(okabe::orange, 0.22f), dp(3));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + grid(2));
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, toVec4(okabe::orange));

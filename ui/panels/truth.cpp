@@ -48,9 +48,12 @@ void bringToMap(TruthState& s, const Trajectory& truth, double until) {
 
 const char* alignModeName(AlignMode mode) {
   switch (mode) {
-    case AlignMode::none: return "none";
-    case AlignMode::se3: return "SE(3)";
-    case AlignMode::sim3: return "Sim(3)";
+    case AlignMode::none:
+      return "none";
+    case AlignMode::se3:
+      return "SE(3)";
+    case AlignMode::sim3:
+      return "Sim(3)";
   }
   return "";
 }

@@ -14,25 +14,26 @@ enum class AlignMode : int { none, se3, sim3 };
 const char* alignModeName(AlignMode mode);
 
 struct TruthState {
-  bool valid = false;          ///< at least three poses matched
-  std::string problem;         ///< why there is no result, if not
+  bool valid = false;   ///< at least three poses matched
+  std::string problem;  ///< why there is no result, if not
   AlignMode mode = AlignMode::sim3;
-  int map_id = -1;             ///< the map with most poses, which all of this is about
-  int matched = 0;             ///< poses with ground truth
-  double scale = 1;            ///< metres per map unit
-  Mat3 R = Mat3::Identity();   ///< ground truth <- map
+  int map_id = -1;            ///< the map with most poses, which all of this is about
+  int matched = 0;            ///< poses with ground truth
+  double scale = 1;           ///< metres per map unit
+  Mat3 R = Mat3::Identity();  ///< ground truth <- map
   Vec3 t = Vec3::Zero();
   double ate_rmse = 0, ate_mean = 0, ate_median = 0, ate_max = 0;  ///< m
   double rpe_trans = 0, rpe_rot = 0;  ///< over one second: m and radians, RMSE
   int rpe_pairs = 0;
-  std::vector<float> error;    ///< per record, m; NaN where unknown
-  std::vector<Vec3f> path;     ///< ground truth positions so far, in the map's frame
-  std::uint64_t version = 0;   ///< changes with the content
+  std::vector<float> error;   ///< per record, m; NaN where unknown
+  std::vector<Vec3f> path;    ///< ground truth positions so far, in the map's frame
+  std::uint64_t version = 0;  ///< changes with the content
 };
 
 class Truth {
  public:
-  /// Recomputes if enough frames were added since the last time (`settled`: any), or the mode changed.
+  /// Recomputes if enough frames were added since the last time (`settled`: any), or the mode
+  /// changed.
   void update(const std::vector<FrameRecord>& records, const Trajectory& truth, AlignMode mode,
               int generation, bool settled);
   const TruthState& state() const { return state_; }

@@ -22,7 +22,7 @@ struct Vertex3 {
 /// may change every frame at no upload.
 struct Scene3 {
   std::uint64_t version = 0;
-  std::vector<Vertex3> lines;   ///< pairs
+  std::vector<Vertex3> lines;  ///< pairs
   std::vector<Vertex3> points;
   Eigen::Matrix4f clip_from_world = Eigen::Matrix4f::Identity();
   float point_size_px = 3;
@@ -33,8 +33,8 @@ struct Scene3 {
 class Graphics {
  public:
   virtual ~Graphics() = default;
-  /// Texture of a CV_8UC1 or CV_8UC3 (RGB) image. `slot` names the place on screen and owns the texture; uploaded
-  /// only when `version` (for example the frame index) or the size changes.
+  /// Texture of a CV_8UC1 or CV_8UC3 (RGB) image. `slot` names the place on screen and owns the
+  /// texture; uploaded only when `version` (for example the frame index) or the size changes.
   virtual ImTextureID image(std::uint32_t slot, const cv::Mat& pixels, std::uint64_t version,
                             bool smooth) = 0;
   /// Texture of a rendered scene, `width` x `height` framebuffer pixels, row 0 at the top when

@@ -18,9 +18,10 @@ std::string displayName() {
 }
 
 Error displayError(std::string what) {
-  return usageError(std::move(what), "window",
-                    "set DISPLAY to one that is there, start one by xvfb-run svoscope SEQUENCE, or use "
-                    "--headless to render without a window");
+  return usageError(
+      std::move(what), "window",
+      "set DISPLAY to one that is there, start one by xvfb-run svoscope SEQUENCE, or use "
+      "--headless to render without a window");
 }
 
 Result<std::unique_ptr<Surface>> makeSurface(SurfaceKind kind, SurfaceSize size, float scale) {
@@ -33,7 +34,8 @@ Result<std::unique_ptr<Surface>> makeSurface(SurfaceKind kind, SurfaceSize size,
     case SurfaceKind::window:
       break;
   }
-  if (displayName().empty()) return displayError("there is no display to open a window on: DISPLAY is not set");
+  if (displayName().empty())
+    return displayError("there is no display to open a window on: DISPLAY is not set");
   return makeWindowSurface(size, scale);
 }
 

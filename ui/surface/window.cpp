@@ -245,7 +245,8 @@ Result<std::unique_ptr<Surface>> makeWindowSurface(SurfaceSize size, float scale
   const SurfaceSize fitted = fitToScreen(size);
   GLFWwindow* window = glfwCreateWindow(fitted.width, fitted.height, "svoscope", nullptr, nullptr);
   if (!window) {
-    const Error e = displayError("the display " + displayName() + " has no window with OpenGL 3.3: " + lastGlfwError());
+    const Error e = displayError("the display " + displayName() +
+                                 " has no window with OpenGL 3.3: " + lastGlfwError());
     glfwTerminate();
     return e;
   }

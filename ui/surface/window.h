@@ -12,7 +12,8 @@ Result<std::unique_ptr<Surface>> makeWindowSurface(SurfaceSize size, float scale
 
 /// What DISPLAY or WAYLAND_DISPLAY says; empty if neither is set.
 std::string displayName();
-/// That a window cannot be opened, with the ways to go without: a matter of use, whatever the cause.
+/// That a window cannot be opened, with the ways to go without: a matter of use, whatever the
+/// cause.
 Error displayError(std::string what);
 
 }  // namespace svoscope::ui

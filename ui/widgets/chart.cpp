@@ -36,7 +36,8 @@ float legendLines(const ChartSpec& spec, ImVec2 at, float width) {
       x = 0;
       y += line;
     }
-    drawSwatch(entry.swatch, {at.x + x + font * 0.36f, at.y + y + font / 2}, font * 0.28f, entry.color);
+    drawSwatch(entry.swatch, {at.x + x + font * 0.36f, at.y + y + font / 2}, font * 0.28f,
+               entry.color);
     pen::text(list, {at.x + x + font, at.y + y}, ink::dim, entry.label.c_str());
     x += w + grid(3);
   }
@@ -44,7 +45,8 @@ float legendLines(const ChartSpec& spec, ImVec2 at, float width) {
 }
 
 Range usable(Range r, bool log) {
-  if (!std::isfinite(r.lo) || !std::isfinite(r.hi) || r.lo > r.hi) r = log ? Range{0.1, 10} : Range{0, 1};
+  if (!std::isfinite(r.lo) || !std::isfinite(r.hi) || r.lo > r.hi)
+    r = log ? Range{0.1, 10} : Range{0, 1};
   if (log && r.lo <= 0) r.lo = r.hi > 0 ? r.hi * 1e-3 : 1e-3;
   if (r.hi <= r.lo) return padded(r, 0.1, log);
   return r;
@@ -52,7 +54,8 @@ Range usable(Range r, bool log) {
 
 }  // namespace
 
-Chart::Chart(const ChartSpec& spec) : list_(ImGui::GetWindowDrawList()), start_(ImGui::GetCursorScreenPos()) {
+Chart::Chart(const ChartSpec& spec)
+    : list_(ImGui::GetWindowDrawList()), start_(ImGui::GetCursorScreenPos()) {
   ImGui::PushID(spec.id);
   ImGui::BeginGroup();
   const float width = spec.size.x > 0 ? spec.size.x : ImGui::GetContentRegionAvail().x;
@@ -85,7 +88,8 @@ void Chart::layOut(const ChartSpec& spec) {
   const float width = spec.size.x > 0 ? spec.size.x : ImGui::GetContentRegionAvail().x;
   const float rows = static_cast<float>((spec.y_label.empty() ? 0 : 1) + spec.mark_rows);
   const float top = ImGui::GetCursorScreenPos().y + rows * font;
-  lo_ = {std::round(start_.x + (spec.y_ticks ? font * 2.9f : grid(1.5f))), std::round(top + grid(0.5f))};
+  lo_ = {std::round(start_.x + (spec.y_ticks ? font * 2.9f : grid(1.5f))),
+         std::round(top + grid(0.5f))};
   hi_ = {std::round(start_.x + width - grid(1.5f)),
          std::round(bottom_ - font - grid(1) - (spec.x_label.empty() ? 0 : font))};
   x_ = {usable(spec.x, spec.log_x), lo_.x, hi_.x, spec.log_x};
@@ -99,7 +103,8 @@ void Chart::axes(const ChartSpec& spec) {
   const int count = std::max(3, static_cast<int>((hi_.y - lo_.y) / (font * 1.8f)));
   const auto ticks = spec.log_y ? logTicks(y_.data, count) : linearTicks(y_.data, count);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : y_.data.span();
-  float free_below = hi_.y + font;  // ticks go upwards; labels that would lie on one another are left out
+  float free_below =
+      hi_.y + font;  // ticks go upwards; labels that would lie on one another are left out
   for (const double t : ticks) {
     const float y = std::round(y_.toPixel(t));
     if (!spec.y_ticks || y < lo_.y - 1 || y > hi_.y + 1) continue;
@@ -150,15 +155,16 @@ void Chart::line(const std::vector<float>& x, const std::vector<float>& y, const
   }
 }
 
-void Chart::band(const std::vector<float>& x, const std::vector<float>& lo, const std::vector<float>& hi,
-                 ImU32 color) {
+void Chart::band(const std::vector<float>& x, const std::vector<float>& lo,
+                 const std::vector<float>& hi, ImU32 color) {
   if (!drawable() || x.size() != lo.size() || x.size() != hi.size()) return;
   const ImDrawListFlags before = list_->Flags;
-  list_->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // neighbours must not fade at their common edge
+  list_->Flags &=
+      ~ImDrawListFlags_AntiAliasedFill;  // neighbours must not fade at their common edge
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (!std::isfinite(x[i - 1] + x[i] + lo[i - 1] + lo[i] + hi[i - 1] + hi[i])) continue;
-    pen::quadFilled(list_, bounded(at(x[i - 1], hi[i - 1])), bounded(at(x[i], hi[i])), bounded(at(x[i], lo[i])),
-                         bounded(at(x[i - 1], lo[i - 1])), color);
+    pen::quadFilled(list_, bounded(at(x[i - 1], hi[i - 1])), bounded(at(x[i], hi[i])),
+                    bounded(at(x[i], lo[i])), bounded(at(x[i - 1], lo[i - 1])), color);
   }
   list_->Flags = before;
 }
@@ -172,8 +178,12 @@ void Chart::point(double x, double y, PointShape shape, float radius, ImU32 colo
   const ImVec2 p = bounded(at(x, y));
   const float r = dp(radius);
   switch (shape) {
-    case PointShape::circle: pen::circleFilled(list_, p, r, color, 10); break;
-    case PointShape::square: pen::rectFilled(list_, {p.x - r, p.y - r}, {p.x + r, p.y + r}, color); break;
+    case PointShape::circle:
+      pen::circleFilled(list_, p, r, color, 10);
+      break;
+    case PointShape::square:
+      pen::rectFilled(list_, {p.x - r, p.y - r}, {p.x + r, p.y + r}, color);
+      break;
     case PointShape::diamond:
       pen::quadFilled(list_, {p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}, {p.x - r, p.y}, color);
       break;
@@ -215,7 +225,8 @@ void Chart::markX(double value, const LineStyle& s, const std::string& label, in
   if (!free_from_.empty()) return labelAbove(x, s.color, label);
   const float w = ImGui::CalcTextSize(label.c_str()).x;
   const float tx = x + grid(1) + w > hi_.x ? x - w - grid(1) : x + grid(1);
-  outlinedText(list_, {tx, lo_.y + grid(0.5f) + static_cast<float>(row) * ImGui::GetFontSize()}, ink::text, label.c_str());
+  outlinedText(list_, {tx, lo_.y + grid(0.5f) + static_cast<float>(row) * ImGui::GetFontSize()},
+               ink::text, label.c_str());
 }
 
 // In the first row where nothing is in the way; marks come from left to right.
@@ -243,13 +254,15 @@ void Chart::markY(double value, const LineStyle& s, const std::string& label) {
   ImVec2 p{hi_.x - w - grid(1), y - font - 1 < lo_.y ? y + 1 : y - font - 1};
   const auto crossed = [&](float x) { return x > p.x - grid(1) && x < p.x + w + grid(1); };
   if (std::any_of(marked_x_.begin(), marked_x_.end(), crossed)) p.x = lo_.x + grid(1);
-  pen::rectFilled(list_, {p.x - grid(0.5f), p.y}, {p.x + w + grid(0.5f), p.y + font}, withAlpha(ink::canvas, 0.5f));  // curves stay visible
+  pen::rectFilled(list_, {p.x - grid(0.5f), p.y}, {p.x + w + grid(0.5f), p.y + font},
+                  withAlpha(ink::canvas, 0.5f));  // curves stay visible
   pen::text(list_, p, s.color, label.c_str());
 }
 
 void Chart::shadeX(double lo, double hi, ImU32 color) {
   if (!drawable() || !std::isfinite(lo + hi) || (x_.log && lo <= 0)) return;
-  const float a = std::clamp(x_.toPixel(lo), lo_.x, hi_.x), b = std::clamp(x_.toPixel(hi), lo_.x, hi_.x);
+  const float a = std::clamp(x_.toPixel(lo), lo_.x, hi_.x),
+              b = std::clamp(x_.toPixel(hi), lo_.x, hi_.x);
   if (b > a) pen::rectFilled(list_, {a, lo_.y}, {b, hi_.y}, color);
 }
 
@@ -280,17 +293,21 @@ void Chart::box(const Box& b, ImU32 color) {
 ChartGrid::ChartGrid(int charts, float least_width, float least_height, int most_columns) {
   start_ = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  columns_ = std::clamp(static_cast<int>(room.x / least_width), 1, std::max(1, std::min(most_columns, charts)));
+  columns_ = std::clamp(static_cast<int>(room.x / least_width), 1,
+                        std::max(1, std::min(most_columns, charts)));
   const int rows = (charts + columns_ - 1) / columns_;
   const float gap = grid(2);
-  cell_.x = std::floor((room.x - gap * static_cast<float>(columns_ - 1)) / static_cast<float>(columns_));
-  cell_.y = std::max(least_height, std::floor((room.y - gap * static_cast<float>(rows)) / static_cast<float>(rows)));
+  cell_.x =
+      std::floor((room.x - gap * static_cast<float>(columns_ - 1)) / static_cast<float>(columns_));
+  cell_.y = std::max(least_height, std::floor((room.y - gap * static_cast<float>(rows)) /
+                                              static_cast<float>(rows)));
   cell_.y = std::min(cell_.y, least_height * 2.2f);
 }
 
 ImVec2 ChartGrid::next() {
   const float x = static_cast<float>(index_ % columns_), y = static_cast<float>(index_ / columns_);
-  ImGui::SetCursorScreenPos({start_.x + x * (cell_.x + grid(2)), start_.y + y * (cell_.y + grid(2))});
+  ImGui::SetCursorScreenPos(
+      {start_.x + x * (cell_.x + grid(2)), start_.y + y * (cell_.y + grid(2))});
   ++index_;
   return cell_;
 }

@@ -19,13 +19,13 @@ struct ChartLegend {
 };
 
 struct ChartSpec {
-  const char* id = "chart";  ///< probe label
-  std::string title;         ///< first words of the legend line: what is shown
+  const char* id = "chart";      ///< probe label
+  std::string title;             ///< first words of the legend line: what is shown
   std::string x_label, y_label;  ///< quantity and unit, below and above the axes
   Range x, y;
   bool log_x = false, log_y = false;
-  bool y_ticks = true;       ///< densities need none
-  int mark_rows = 0;         ///< rows above the data area for the labels of markX; 0: they stand inside
+  bool y_ticks = true;  ///< densities need none
+  int mark_rows = 0;    ///< rows above the data area for the labels of markX; 0: they stand inside
   ImVec2 size{0, 0};
   std::vector<ChartLegend> legend;
 };
@@ -49,14 +49,15 @@ class Chart {
   void line(const std::vector<float>& x, const std::vector<float>& y, const LineStyle& style);
   /// Between y and the bottom.
   void area(const std::vector<float>& x, const std::vector<float>& y, ImU32 color);
-  void band(const std::vector<float>& x, const std::vector<float>& lo, const std::vector<float>& hi, ImU32 color);
+  void band(const std::vector<float>& x, const std::vector<float>& lo, const std::vector<float>& hi,
+            ImU32 color);
   void point(double x, double y, PointShape shape, float radius, ImU32 color);
   /// Vertical error bar with caps.
   void errorBar(double x, double lo, double hi, ImU32 color);
   /// Horizontal bar with caps at a height of the data area (0 bottom, 1 top).
   void spanAt(double lo, double hi, float height, ImU32 color);
-  /// Vertical line; the label stands in row `row` from the top, or above the data area if there are rows
-  /// for that: then marks are made from left to right.
+  /// Vertical line; the label stands in row `row` from the top, or above the data area if there are
+  /// rows for that: then marks are made from left to right.
   void markX(double x, const LineStyle& style, const std::string& label = "", int row = 0);
   /// The label stands at the right end, or at the left one if a vertical line made before is there.
   void markY(double y, const LineStyle& style, const std::string& label = "");

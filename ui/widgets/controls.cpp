@@ -3,7 +3,6 @@
 
 #include <imgui/imgui_stdlib.h>
 
-
 #include "ui/palette.h"
 #include "ui/theme.h"
 #include "ui/widgets/icons.h"
@@ -133,8 +132,7 @@ bool inputText(const char* label, const char* hint, std::string& text, float wid
 
 bool inputInt(const char* label, int& value, float width, const char* text) {
   ImGui::SetNextItemWidth(width);
-  const bool entered =
-      ImGui::InputInt(label, &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputInt(label, &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
   Probe::record(label[0] == '#' ? label + 2 : label);
   tooltip(text);
   return entered;
@@ -184,9 +182,7 @@ void OptionBar::item(const char* label, bool& value, const char* hint) {
   toggle(label, value, hint);
 }
 
-float legendWidth(const char* text) {
-  return ImGui::GetFontSize() + ImGui::CalcTextSize(text).x;
-}
+float legendWidth(const char* text) { return ImGui::GetFontSize() + ImGui::CalcTextSize(text).x; }
 
 void legendEntry(ImU32 color, Swatch kind, const char* text) {
   const ImVec2 at = ImGui::GetCursorScreenPos();

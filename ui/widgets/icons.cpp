@@ -14,7 +14,8 @@ namespace {
 
 void triangle(ImVec2 c, float r, float direction, ImU32 color) {
   const ImVec2 tip{c.x + direction * r, c.y};
-  const ImVec2 top{c.x - direction * r * 0.8f, c.y - r}, bottom{c.x - direction * r * 0.8f, c.y + r};
+  const ImVec2 top{c.x - direction * r * 0.8f, c.y - r},
+      bottom{c.x - direction * r * 0.8f, c.y + r};
   ImGui::GetWindowDrawList()->AddTriangleFilled(tip, top, bottom, color);
 }
 
@@ -38,7 +39,8 @@ void arrowCircle(ImVec2 c, float r, ImU32 color) {
 void drawIcon(Icon icon, ImVec2 c, float r, ImU32 color) {
   const float w = std::max(1.0f, r * 0.22f);
   switch (icon) {
-    case Icon::play: return triangle(c, r, 1, color);
+    case Icon::play:
+      return triangle(c, r, 1, color);
     case Icon::pause:
       bar(c.x - r * 0.45f, c.y, r * 0.26f, r, color);
       return bar(c.x + r * 0.45f, c.y, r * 0.26f, r, color);
@@ -55,8 +57,10 @@ void drawIcon(Icon icon, ImVec2 c, float r, ImU32 color) {
     case Icon::next_key:
       triangle({c.x - r * 0.3f, c.y}, r * 0.9f, 1, color);
       return bar(c.x + r * 0.9f, c.y, w, r * 0.9f, color);
-    case Icon::reset: return arrowCircle(c, r, color);
-    case Icon::none: return;
+    case Icon::reset:
+      return arrowCircle(c, r, color);
+    case Icon::none:
+      return;
   }
 }
 
@@ -64,19 +68,24 @@ void drawSwatch(Swatch kind, ImVec2 c, float r, ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float t = dp(1.5f);
   switch (kind) {
-    case Swatch::square: return pen::rect(list, {c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 0, 0, t);
-    case Swatch::line: return pen::line(list, {c.x - r * 1.3f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
+    case Swatch::square:
+      return pen::rect(list, {c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 0, 0, t);
+    case Swatch::line:
+      return pen::line(list, {c.x - r * 1.3f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
     case Swatch::dashed:
       pen::line(list, {c.x - r * 1.3f, c.y}, {c.x - r * 0.2f, c.y}, color, dp(2));
       return pen::line(list, {c.x + r * 0.4f, c.y}, {c.x + r * 1.3f, c.y}, color, dp(2));
     case Swatch::dotted:
-      for (const float at : {-1.2f, -0.4f, 0.4f, 1.2f}) pen::circleFilled(list, {c.x + r * at, c.y}, dp(1.2f), color, 8);
+      for (const float at : {-1.2f, -0.4f, 0.4f, 1.2f})
+        pen::circleFilled(list, {c.x + r * at, c.y}, dp(1.2f), color, 8);
       return;
     case Swatch::cross:
       pen::line(list, {c.x - r, c.y - r}, {c.x + r, c.y + r}, color, t);
       return pen::line(list, {c.x - r, c.y + r}, {c.x + r, c.y - r}, color, t);
-    case Swatch::ring: return pen::circle(list, c, r * 0.85f, color, 12, t);
-    case Swatch::dot: return pen::circleFilled(list, c, r * 0.7f, color, 10);
+    case Swatch::ring:
+      return pen::circle(list, c, r * 0.85f, color, 12, t);
+    case Swatch::dot:
+      return pen::circleFilled(list, c, r * 0.7f, color, 10);
   }
 }
 
@@ -88,7 +97,8 @@ void dashedLine(ImDrawList* list, const std::vector<ImVec2>& points, ImU32 color
     return;
   }
   if (Figure* figure = Figure::active()) {
-    figure->polyline(points.data(), static_cast<int>(points.size()), color, thickness, false, on, off);
+    figure->polyline(points.data(), static_cast<int>(points.size()), color, thickness, false, on,
+                     off);
   }
   float phase = 0;
   const float period = on + off;

@@ -32,15 +32,17 @@ void zoomAtCursor(ImageViewState& state, const ImageView& view, float fit) {
 
 void apply(const ImageViewState& state, ImageView& view, float fit, int width, int height) {
   view.zoom = state.zoom > 0 ? state.zoom : fit;
-  view.center = state.zoom > 0 ? state.center
-                               : Px((static_cast<float>(width) - 1) / 2, (static_cast<float>(height) - 1) / 2);
+  view.center = state.zoom > 0
+                    ? state.center
+                    : Px((static_cast<float>(width) - 1) / 2, (static_cast<float>(height) - 1) / 2);
 }
 
 }  // namespace
 
 float fitZoom(int width, int height, ImVec2 room) {
   if (width < 1 || height < 1) return 1;
-  return std::max(0.02f, std::min(room.x / static_cast<float>(width), room.y / static_cast<float>(height)));
+  return std::max(
+      0.02f, std::min(room.x / static_cast<float>(width), room.y / static_cast<float>(height)));
 }
 
 void zoomImage(ImageViewState& state, float fit, float factor) {
@@ -64,7 +66,8 @@ ImageView imageViewArea(const char* label, ImageViewState& state, int width, int
   const ImVec2 drag = ImGui::GetMouseDragDelta(0, 0);
   view.clicked = ImGui::IsItemDeactivated() && view.hovered && std::hypot(drag.x, drag.y) < 4;
   if (view.hovered && ImGui::IsMouseDoubleClicked(0)) state.zoom = 0;
-  if (state.zoom == 0) state.center = Px((static_cast<float>(width) - 1) / 2, (static_cast<float>(height) - 1) / 2);
+  if (state.zoom == 0)
+    state.center = Px((static_cast<float>(width) - 1) / 2, (static_cast<float>(height) - 1) / 2);
   apply(state, view, fit, width, height);
   view.mouse = view.toImage(ImGui::GetIO().MousePos);
   return view;
@@ -74,7 +77,8 @@ void drawImage(const ImageView& view, ImTextureID texture, int width, int height
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(view.lo, view.hi, ink::canvas);
   const ImVec2 a = view.toScreen({-0.5f, -0.5f});
-  const ImVec2 b = view.toScreen({static_cast<float>(width) - 0.5f, static_cast<float>(height) - 0.5f});
+  const ImVec2 b =
+      view.toScreen({static_cast<float>(width) - 0.5f, static_cast<float>(height) - 0.5f});
   list->PushClipRect(view.lo, view.hi, true);
   if (texture) list->AddImage(texture, a, b);
   list->PopClipRect();

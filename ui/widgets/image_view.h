@@ -12,16 +12,16 @@ namespace svoscope::ui {
 using Px = Eigen::Vector2f;
 
 struct ImageViewState {
-  float zoom = 0;              ///< screen pixels per image pixel; 0: fit
-  Px center = Px::Zero();      ///< image pixel in the middle of the view
+  float zoom = 0;          ///< screen pixels per image pixel; 0: fit
+  Px center = Px::Zero();  ///< image pixel in the middle of the view
 };
 
 struct ImageView {
-  ImVec2 lo, hi;               ///< area on screen
+  ImVec2 lo, hi;  ///< area on screen
   float zoom = 1;
   Px center = Px::Zero();
   bool hovered = false;
-  bool clicked = false;        ///< released without dragging
+  bool clicked = false;  ///< released without dragging
   Px mouse = Px::Zero();
 
   ImVec2 toScreen(const Px& px) const {

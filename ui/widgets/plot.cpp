@@ -45,8 +45,10 @@ void fitY(const PlotSpec& spec, PlotState& state, const Range& window) {
   for (const PlotSeries& s : spec.series) {
     if (!visible(s, state)) continue;
     extend(all, *s.x, *s.y, window, state.log_y);
-    if (s.band_lo && s.band_lo->size() == s.x->size()) extend(all, *s.x, *s.band_lo, window, state.log_y);
-    if (s.band_hi && s.band_hi->size() == s.x->size()) extend(all, *s.x, *s.band_hi, window, state.log_y);
+    if (s.band_lo && s.band_lo->size() == s.x->size())
+      extend(all, *s.x, *s.band_lo, window, state.log_y);
+    if (s.band_hi && s.band_hi->size() == s.x->size())
+      extend(all, *s.x, *s.band_hi, window, state.log_y);
   }
   if (all.lo <= all.hi) {
     for (const PlotLevel& level : spec.levels) {
@@ -104,14 +106,15 @@ void legend(const PlotSpec& spec, PlotState& state) {
     if (s.label.empty()) continue;
     sameLineIfFits(legendWidth(s.label.c_str()) + grid(2));
     const bool hidden = state.hidden.count(s.label) > 0;
-    legendEntry(hidden ? ink::faint : s.color, swatchOf(s),
-                s.label.c_str());
+    legendEntry(hidden ? ink::faint : s.color, swatchOf(s), s.label.c_str());
     Probe::record(std::string(spec.id) + ":" + s.label, ImGui::GetItemRectMin(),
                   ImGui::GetItemRectMax());
     tooltip(hidden ? "Click to show" : "Click to hide");
     if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(0)) {
-      if (hidden) state.hidden.erase(s.label);
-      else state.hidden.insert(s.label);
+      if (hidden)
+        state.hidden.erase(s.label);
+      else
+        state.hidden.insert(s.label);
     }
   }
 }
@@ -166,14 +169,17 @@ PlotResult plot(const PlotSpec& spec, PlotState& state, LinkedX& linked) {
   }
   contextMenu(state, linked, result);
   ImGui::SetCursorScreenPos(start);
-  ImGui::Dummy({std::max(1.0f, f.hi.x - start.x),
-                std::max(1.0f, f.hi.y + (spec.show_x_labels ? ImGui::GetFontSize() + grid(1) : grid(0.5f)) - start.y)});
+  ImGui::Dummy(
+      {std::max(1.0f, f.hi.x - start.x),
+       std::max(1.0f, f.hi.y + (spec.show_x_labels ? ImGui::GetFontSize() + grid(1) : grid(0.5f)) -
+                          start.y)});
   ImGui::PopID();
   return result;
 }
 
 float stackedHeight(int index, int count, float room, float least) {
-  const float labels = ImGui::GetFontSize() + grid(0.5f);  // of the frames, below the last plot only
+  const float labels =
+      ImGui::GetFontSize() + grid(0.5f);  // of the frames, below the last plot only
   const float each = (room - labels) / static_cast<float>(count) - ImGui::GetStyle().ItemSpacing.y;
   return std::floor(std::max(least, each) + (index + 1 == count ? labels : 0));
 }

@@ -34,8 +34,8 @@ struct PlotLevel {
   std::string label;
 };
 
-/// The x range several plots share. `fit`: all frames known, or those of the plot's series if `known`
-/// is empty; a plot without data keeps the range.
+/// The x range several plots share. `fit`: all frames known, or those of the plot's series if
+/// `known` is empty; a plot without data keeps the range.
 struct LinkedX {
   Range range;
   bool fit = true;
@@ -70,8 +70,8 @@ struct PlotResult {
 
 PlotResult plot(const PlotSpec& spec, PlotState& state, LinkedX& linked);
 
-/// Height of the plot `index` of `count` that fill `room` below each other, the last one with labels
-/// of the frames: their data areas are equally high.
+/// Height of the plot `index` of `count` that fill `room` below each other, the last one with
+/// labels of the frames: their data areas are equally high.
 float stackedHeight(int index, int count, float room, float least);
 
 /// Comma-separated values of the visible series within the visible range.

@@ -30,7 +30,8 @@ void drawYAxis(const PlotFrame& f) {
     pen::line(f.list, {f.lo.x, y}, {f.hi.x, y}, ink::grid);
     const std::string text = yLabel(f, t, step);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
-    const float ty = std::round(std::clamp(y - font / 2, f.lo.y - font * 0.2f, f.hi.y - font * 0.8f));
+    const float ty =
+        std::round(std::clamp(y - font / 2, f.lo.y - font * 0.2f, f.hi.y - font * 0.8f));
     if (ty + font > free_below) continue;
     free_below = ty;
     pen::text(f.list, {f.lo.x - width - grid(1), ty}, ink::dim, text.c_str());
@@ -63,7 +64,7 @@ void drawBand(const PlotFrame& f, const PlotSeries& s) {
     const float x0 = f.x.toPixel((*s.x)[i - 1]), x1 = f.x.toPixel((*s.x)[i]);
     if (x1 < f.lo.x || x0 > f.hi.x) continue;
     pen::quadFilled(f.list, {x0, f.y.toPixel(b0)}, {x1, f.y.toPixel(b1)}, {x1, f.y.toPixel(a1)},
-                          {x0, f.y.toPixel(a0)}, withAlpha(s.color, 0.22f));
+                    {x0, f.y.toPixel(a0)}, withAlpha(s.color, 0.22f));
   }
   f.list->Flags = before;
 }
@@ -75,7 +76,8 @@ void drawSeries(const PlotFrame& f, const PlotSpec& spec, const PlotState& state
     const int n = static_cast<int>(s.x->size());
     for (const auto& run : buildRuns(s.x->data(), s.y->data(), n, f.x, f.y)) {
       if (run.size() == 1) pen::circleFilled(f.list, run[0], dp(2), s.color, 8);
-      dashedLine(f.list, run, s.color, dp(1.5f), dp(s.dotted ? 1.5f : 5), s.dotted || s.dashed ? dp(3) : 0);
+      dashedLine(f.list, run, s.color, dp(1.5f), dp(s.dotted ? 1.5f : 5),
+                 s.dotted || s.dashed ? dp(3) : 0);
     }
   }
 }
@@ -88,7 +90,8 @@ void drawMarks(const PlotFrame& f, const PlotSpec& spec) {
     pen::line(f.list, {x, f.hi.y - grid(1.5f)}, {x, f.hi.y}, m.color, dp(1.5f));
     if (m.cross < 0) continue;
     pen::line(f.list, {x, f.lo.y}, {x, f.hi.y}, withAlpha(m.color, 0.35f), dp(1));
-    drawSwatch(Swatch::cross, {x, f.lo.y + grid(1.5f + 2.5f * static_cast<float>(m.cross))}, grid(1), m.color);
+    drawSwatch(Swatch::cross, {x, f.lo.y + grid(1.5f + 2.5f * static_cast<float>(m.cross))},
+               grid(1), m.color);
   }
 }
 
@@ -96,12 +99,14 @@ void drawLevels(const PlotFrame& f, const PlotSpec& spec) {
   for (const PlotLevel& level : spec.levels) {
     const float y = std::round(f.y.toPixel(level.y));
     if (y < f.lo.y || y > f.hi.y) continue;
-    dashedLine(f.list, {{f.lo.x, y}, {f.hi.x, y}}, withAlpha(level.color, 0.9f), dp(1), dp(4), dp(4));
+    dashedLine(f.list, {{f.lo.x, y}, {f.hi.x, y}}, withAlpha(level.color, 0.9f), dp(1), dp(4),
+               dp(4));
     const float width = ImGui::CalcTextSize(level.label.c_str()).x;
     const float ty = y - ImGui::GetFontSize() - 1 < f.lo.y ? y + 1 : y - ImGui::GetFontSize() - 1;
     const ImVec2 at{f.lo.x + grid(1), ty};
-    pen::rectFilled(f.list, {at.x - grid(0.5f), ty}, {at.x + width + grid(0.5f), ty + ImGui::GetFontSize()},
-                          withAlpha(ink::canvas, 0.8f));
+    pen::rectFilled(f.list, {at.x - grid(0.5f), ty},
+                    {at.x + width + grid(0.5f), ty + ImGui::GetFontSize()},
+                    withAlpha(ink::canvas, 0.8f));
     pen::text(f.list, at, level.color, level.label.c_str());
   }
 }
@@ -140,7 +145,10 @@ void drawAxes(const PlotFrame& f, const PlotSpec& spec, const PlotState& state) 
   if (hasValues(spec, state, f.x.data)) return drawYAxis(f);
   const char* none = "no value";  // numbers on the axis would be made up
   const ImVec2 size = ImGui::CalcTextSize(none);
-  pen::text(f.list, {std::round((f.lo.x + f.hi.x - size.x) / 2), std::round((f.lo.y + f.hi.y - size.y) / 2)}, ink::dim, none);
+  pen::text(
+      f.list,
+      {std::round((f.lo.x + f.hi.x - size.x) / 2), std::round((f.lo.y + f.hi.y - size.y) / 2)},
+      ink::dim, none);
 }
 
 void drawContent(const PlotFrame& f, const PlotSpec& spec, const PlotState& state) {
@@ -162,8 +170,10 @@ void hoverReadOut(const PlotFrame& f, const PlotSpec& spec, const PlotState& sta
     if (!found) continue;
     legendEntry(s.color, swatchOf(s), s.label.c_str());
     ImGui::SameLine(ImGui::GetFontSize() * 10);
-    if (std::isfinite(v)) ImGui::Text("%.4g", v);
-    else ImGui::TextUnformatted("–");
+    if (std::isfinite(v))
+      ImGui::Text("%.4g", v);
+    else
+      ImGui::TextUnformatted("–");
   }
   if (spec.marks) {
     for (const PlotMark& m : *spec.marks) {

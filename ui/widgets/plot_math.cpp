@@ -68,10 +68,12 @@ std::vector<double> logTicks(Range range, int max_count) {
   if (!(range.lo > 0) || !std::isfinite(range.hi)) return {};
   if (range.hi < kNarrow * range.lo) return linearTicks(range, max_count);
   std::vector<double> ticks = thinned(multiples(range, {1}), max_count);
-  for (const auto& factors : {std::vector<double>{1, 2, 5}, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+  for (const auto& factors :
+       {std::vector<double>{1, 2, 5}, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
     if (ticks.size() >= kEnough) break;
     const auto finer = multiples(range, factors);
-    if (finer.size() > ticks.size() && static_cast<int>(finer.size()) <= std::max(2, max_count)) ticks = finer;
+    if (finer.size() > ticks.size() && static_cast<int>(finer.size()) <= std::max(2, max_count))
+      ticks = finer;
   }
   return ticks;
 }

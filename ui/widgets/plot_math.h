@@ -17,8 +17,9 @@ struct Range {
 
 /// Multiples of 1, 2 or 5 times a power of ten inside the range, at most `max_count` of them.
 std::vector<double> linearTicks(Range range, int max_count);
-/// Powers of ten inside the range, thinned to `max_count`; if there are fewer than three, also 2 and 5
-/// times them, or every multiple; in a range so narrow that a log axis is nearly linear, linear ticks.
+/// Powers of ten inside the range, thinned to `max_count`; if there are fewer than three, also 2
+/// and 5 times them, or every multiple; in a range so narrow that a log axis is nearly linear,
+/// linear ticks.
 std::vector<double> logTicks(Range range, int max_count);
 /// The 1-2-5 step that linearTicks uses.
 double niceStep(double span, int max_count);

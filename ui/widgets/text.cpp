@@ -32,7 +32,8 @@ void eachLine(const std::string& text, const Use& use) {
 // Centred about cx; the height of the next line.
 float centredLines(const std::string& text, float cx, float y, ImU32 color) {
   eachLine(text, [&](const std::string& line) {
-    ImGui::GetWindowDrawList()->AddText({std::round(cx - widthOf(line) / 2), std::round(y)}, color, line.c_str());
+    ImGui::GetWindowDrawList()->AddText({std::round(cx - widthOf(line) / 2), std::round(y)}, color,
+                                        line.c_str());
     y += ImGui::GetTextLineHeight();
   });
   return y;
@@ -52,7 +53,9 @@ std::string format(const char* pattern, ...) {
   return text;
 }
 
-std::string counted(int count, const char* noun) { return format("%d %s%s", count, noun, count == 1 ? "" : "s"); }
+std::string counted(int count, const char* noun) {
+  return format("%d %s%s", count, noun, count == 1 ? "" : "s");
+}
 
 void valueRow(const char* name, const std::string& value, ImU32 color) {
   const float start = ImGui::GetCursorPosX();
@@ -65,7 +68,8 @@ void valueRow(const char* name, const std::string& value, ImU32 color) {
   ImGui::SameLine(0, 0);
   ImGui::SetCursorPosX(value_x);  // unlike SameLine(x), right in table columns, too
   float room = ImGui::GetContentRegionAvail().x;
-  if (room < ImGui::GetFontSize() * 7 && ImGui::CalcTextSize(value.c_str()).x > room) {  // below the name
+  if (room < ImGui::GetFontSize() * 7 &&
+      ImGui::CalcTextSize(value.c_str()).x > room) {  // below the name
     ImGui::NewLine();
     ImGui::SetCursorPosX(start + grid(3));
     room = ImGui::GetContentRegionAvail().x;
@@ -117,7 +121,8 @@ std::string elided(const std::string& text, float width) {
   std::string shown;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t next = i + 1;
-    while (next < text.size() && (text[next] & 0xC0) == 0x80) ++next;  // the rest of a UTF-8 character
+    while (next < text.size() && (text[next] & 0xC0) == 0x80)
+      ++next;  // the rest of a UTF-8 character
     if (widthOf(text.substr(0, next) + kEllipsis) > width) break;
     shown = text.substr(0, next);
     i = next;
@@ -128,8 +133,9 @@ std::string elided(const std::string& text, float width) {
 
 std::string fitted(const std::string& text, float width) {
   std::string result;
-  eachLine(wrapped(text, width),
-           [&](const std::string& line) { result += (result.empty() ? "" : "\n") + elided(line, width); });
+  eachLine(wrapped(text, width), [&](const std::string& line) {
+    result += (result.empty() ? "" : "\n") + elided(line, width);
+  });
   return result;
 }
 
@@ -171,7 +177,8 @@ void emptyState(const char* title, const std::string& what_to_do) {
       ImGui::CalcTextSize(head.c_str()).y + ImGui::CalcTextSize(body.c_str()).y + grid(1);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float cx = at.x + room.x / 2;
-  const float y = centredLines(head, cx, at.y + std::max(0.0f, (room.y - height) * 0.42f), ink::text);
+  const float y =
+      centredLines(head, cx, at.y + std::max(0.0f, (room.y - height) * 0.42f), ink::text);
   if (!body.empty()) centredLines(body, cx, y + grid(1), ink::dim);
 }
 

@@ -14,7 +14,8 @@ std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)
 /// "1 message", "2 messages".
 std::string counted(int count, const char* noun);
 
-/// With line breaks at blanks so that it fits `width`; unlike ImGui's own, never inside of a number.
+/// With line breaks at blanks so that it fits `width`; unlike ImGui's own, never inside of a
+/// number.
 std::string wrapped(const std::string& text, float width);
 /// Ends in "…" if it is wider than `width`; never cut inside of a character.
 std::string elided(const std::string& text, float width);

@@ -72,7 +72,8 @@ void drawTimes(const Strip& s, const std::vector<FrameRecord>& records, double b
     const float x = s.lo.x + static_cast<float>(c);
     s.list->AddRectFilled({x, y1 - std::max(1.0f, h)}, {x + width, y1}, color);
   };
-  for (std::size_t c = 0; c < columns; ++c) bar(c, mapping[c], withAlpha(stageColor(Stage::mapping), 0.45f));
+  for (std::size_t c = 0; c < columns; ++c)
+    bar(c, mapping[c], withAlpha(stageColor(Stage::mapping), 0.45f));
   for (std::size_t c = 0; c < columns; ++c) {
     const bool late = budget > 0 && tracking[c] > budget;
     bar(c, tracking[c], late ? okabe::orange : IM_COL32(104, 116, 132, 255));
@@ -102,11 +103,13 @@ void drawCursor(const Strip& s, int frame, bool engine) {
   if (frame < 0) return;
   const float x = std::round(s.x(frame + 0.5));
   if (engine) {
-    dashedLine(s.list, {{x, s.lo.y}, {x, s.hi.y}}, withAlpha(ink::cursor, 0.7f), dp(1), dp(3), dp(2));
+    dashedLine(s.list, {{x, s.lo.y}, {x, s.hi.y}}, withAlpha(ink::cursor, 0.7f), dp(1), dp(3),
+               dp(2));
     return;
   }
   s.list->AddLine({x, s.lo.y}, {x, s.hi.y}, ink::cursor, dp(1.5f));
-  s.list->AddTriangleFilled({x - dp(5), s.lo.y}, {x + dp(5), s.lo.y}, {x, s.lo.y + dp(6)}, ink::cursor);
+  s.list->AddTriangleFilled({x - dp(5), s.lo.y}, {x + dp(5), s.lo.y}, {x, s.lo.y + dp(6)},
+                            ink::cursor);
 }
 
 void drawScale(const Strip& s, float y) {
@@ -136,7 +139,8 @@ void hoverInfo(const TimelineSpec& spec, int frame) {
     if (frame < spec.history_first) ImGui::TextUnformatted("Image and features no longer held");
   }
   for (const Event& e : *spec.events) {
-    if (e.frame_index == frame && e.kind != EventKind::keyframe) ImGui::TextUnformatted(e.text.c_str());
+    if (e.frame_index == frame && e.kind != EventKind::keyframe)
+      ImGui::TextUnformatted(e.text.c_str());
   }
   ImGui::EndTooltip();
 }
@@ -145,7 +149,8 @@ void hoverInfo(const TimelineSpec& spec, int frame) {
 
 int frameAtPixel(float x, float lo, float hi, int frames) {
   if (!(hi > lo) || frames < 1) return 0;
-  const auto frame = static_cast<int>(std::floor((x - lo) / (hi - lo) * static_cast<float>(frames)));
+  const auto frame =
+      static_cast<int>(std::floor((x - lo) / (hi - lo) * static_cast<float>(frames)));
   return std::clamp(frame, 0, frames - 1);
 }
 
@@ -164,7 +169,8 @@ std::optional<int> timeline(const char* label, const TimelineSpec& spec) {
   drawKeyframes(s, *spec.records, time_bottom + grid(0.25f), time_bottom + grid(1.5f));
   drawStates(s, *spec.records, time_bottom + grid(1.75f), time_bottom + grid(3));
   if (spec.history_first > 0 && !spec.records->empty()) {
-    s.list->AddRectFilled(s.lo, {s.x(spec.history_first), s.hi.y - text}, IM_COL32(10, 11, 13, 130));
+    s.list->AddRectFilled(s.lo, {s.x(spec.history_first), s.hi.y - text},
+                          IM_COL32(10, 11, 13, 130));
     const float x = std::round(s.x(spec.history_first));
     s.list->AddLine({x, s.lo.y}, {x, s.hi.y - text}, ink::faint, dp(1));
   }

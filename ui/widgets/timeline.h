@@ -14,11 +14,11 @@ namespace svoscope::ui {
 struct TimelineSpec {
   const std::vector<FrameRecord>* records = nullptr;
   const std::vector<Event>* events = nullptr;
-  int frames = 0;          ///< of the sequence
-  int history_first = 0;   ///< oldest frame still held
-  int viewed = -1;         ///< frame shown
-  int engine = -1;         ///< last frame processed
-  double budget_ms = 0;    ///< a frame's time at the sequence's rate
+  int frames = 0;         ///< of the sequence
+  int history_first = 0;  ///< oldest frame still held
+  int viewed = -1;        ///< frame shown
+  int engine = -1;        ///< last frame processed
+  double budget_ms = 0;   ///< a frame's time at the sequence's rate
   float height = 0;
 };
 

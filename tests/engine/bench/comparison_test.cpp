@@ -75,7 +75,8 @@ TEST(Comparison, WhoFailsWhereTheOtherDoesNotIsNotBetter) {
   made(folder.path(), 8, [](int) { return 0.5; });
   const BenchConfig config = loadBenchConfig(folder / "bench.yaml", BenchConfigUse::report).value();
   for (const BenchCell& cell : cellsOf(config)) {  // one run of it-svo, on one sequence
-    if (cell.sequence == 2 && cell.system == 1 && cell.run == 1) test::makeCell(folder.path(), cell, 0.01, 0.85);
+    if (cell.sequence == 2 && cell.system == 1 && cell.run == 1)
+      test::makeCell(folder.path(), cell, 0.01, 0.85);
   }
   const BenchResults results = readBenchResults(folder.path()).value();
   EXPECT_NE(results.typical(2, 1), nullptr);
@@ -92,9 +93,11 @@ TEST(Comparison, ADamagedMetricsFileIsSaidToBe) {
   made(folder.path(), 2, [](int) { return 0.9; });
   const BenchConfig config = loadBenchConfig(folder / "bench.yaml", BenchConfigUse::report).value();
   for (const BenchCell& cell : cellsOf(config)) {
-    if (cell.sequence == 1) test::writeText(folder.path() / cell.folder / "metrics.json", "garbage");
+    if (cell.sequence == 1)
+      test::writeText(folder.path() / cell.folder / "metrics.json", "garbage");
   }
-  EXPECT_EQ(readBenchResults(folder.path()).value().failure(1, 0), "metrics.json is missing or damaged");
+  EXPECT_EQ(readBenchResults(folder.path()).value().failure(1, 0),
+            "metrics.json is missing or damaged");
 }
 
 TEST(Comparison, FailuresAreNamedNotAveraged) {

@@ -121,7 +121,8 @@ TEST(TumSequence, SixteenBitImagesKeepTheirSignificantBits) {
   writeTinyTum(folder / "walk");
   for (int i = 0; i < 3; ++i) {
     cv::Mat image(24, 32, CV_16UC1, cv::Scalar(1000.0 * (i + 1)));
-    image.at<std::uint16_t>(23, 31) = i == 2 ? 65535 : 4000;  // twelve bits, and later one that is saturated
+    image.at<std::uint16_t>(23, 31) =
+        i == 2 ? 65535 : 4000;  // twelve bits, and later one that is saturated
     cv::imwrite((folder / "walk/rgb" / (std::to_string(i) + ".png")).string(), image);
   }
   auto opened = openSequence((folder / "walk").string());

@@ -17,7 +17,8 @@ PyramidPtr texture() {
 }
 
 std::vector<DetectedFeature> detect(const cv::Mat& image, const DetectorParameters& p = {}) {
-  return detectFeatures(*buildPyramid(image, 4), p, OccupancyGrid(image.cols, image.rows, p.cell_px));
+  return detectFeatures(*buildPyramid(image, 4), p,
+                        OccupancyGrid(image.cols, image.rows, p.cell_px));
 }
 
 TEST(FeatureDetector, FindsAtMostOneFeaturePerCellOnTexture) {
@@ -108,7 +109,7 @@ TEST(FeatureDetector, TheSmallerEigenvalueTellsCornersFromEdges) {
   EXPECT_GT(cornerScore(image, 20, 20), 10);
   EXPECT_NEAR(cornerScore(image, 20, 32), 0, 1e-3);  // on the straight edge
   EXPECT_EQ(cornerScore(image, 10, 10), 0);
-  EXPECT_EQ(cornerScore(image, 4, 20), 0);           // too close to the border
+  EXPECT_EQ(cornerScore(image, 4, 20), 0);  // too close to the border
 }
 
 TEST(OccupancyGrid, CellsCoverTheWholeImage) {

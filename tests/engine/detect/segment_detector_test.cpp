@@ -24,7 +24,8 @@ cv::Mat draw(const std::vector<DetectedSegment>& lines, double noise = 1.5) {
         const double across = lineThrough(l.px[0], l.px[1]).distance({double(x), double(y)});
         const double inside = std::min(d.dot(p), l.length() - d.dot(p));
         // A band of 14 px, bright at the line and fading out on the other side.
-        const double band = 1 / (1 + std::exp(-across / 0.6)) * std::exp(-std::pow(std::max(across, 0.0) / 9, 4));
+        const double band =
+            1 / (1 + std::exp(-across / 0.6)) * std::exp(-std::pow(std::max(across, 0.0) / 9, 4));
         grey += 90 * band / (1 + std::exp(-inside));
       }
       image.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(grey + grain(rng));
@@ -40,16 +41,19 @@ DetectedSegment segment(double x0, double y0, double x1, double y1) {
   return s;
 }
 
-const DetectedSegment* closestTo(const std::vector<DetectedSegment>& found, const DetectedSegment& truth, double within) {
+const DetectedSegment* closestTo(const std::vector<DetectedSegment>& found,
+                                 const DetectedSegment& truth, double within) {
   const ImageLine line = lineThrough(truth.px[0], truth.px[1]);
   for (const DetectedSegment& s : found) {
-    if (std::abs(line.distance(s.px[0])) < within && std::abs(line.distance(s.px[1])) < within) return &s;
+    if (std::abs(line.distance(s.px[0])) < within && std::abs(line.distance(s.px[1])) < within)
+      return &s;
   }
   return nullptr;
 }
 
 TEST(SegmentDetector, FindsDrawnLinesWithTheirLength) {
-  const std::vector<DetectedSegment> truth = {segment(80, 60, 300, 90), segment(400, 100, 430, 380), segment(100, 400, 320, 250)};
+  const std::vector<DetectedSegment> truth = {segment(80, 60, 300, 90), segment(400, 100, 430, 380),
+                                              segment(100, 400, 320, 250)};
   const auto found = detectSegments(*buildPyramid(draw(truth), 3), {}, {});
   for (const DetectedSegment& t : truth) {
     const DetectedSegment* s = closestTo(found, t, 0.8);
@@ -59,7 +63,8 @@ TEST(SegmentDetector, FindsDrawnLinesWithTheirLength) {
 }
 
 TEST(SegmentDetector, HasNoOffsetAcrossTheLine) {
-  const std::vector<DetectedSegment> truth = {segment(80, 60, 300, 60), segment(400.3, 100, 400.3, 380), segment(100, 400, 320, 180)};
+  const std::vector<DetectedSegment> truth = {
+      segment(80, 60, 300, 60), segment(400.3, 100, 400.3, 380), segment(100, 400, 320, 180)};
   const auto found = detectSegments(*buildPyramid(draw(truth, 0.5), 3), {}, {});
   for (const DetectedSegment& t : truth) {
     const DetectedSegment* s = closestTo(found, t, 1.5);
@@ -69,14 +74,16 @@ TEST(SegmentDetector, HasNoOffsetAcrossTheLine) {
 }
 
 TEST(SegmentDetector, MergesPiecesOfOneLineOnly) {
-  const auto merged = mergeCollinear({segment(0, 0, 100, 0), segment(108, 0.5, 200, 0.5), segment(0, 20, 100, 20),
-                                      segment(200, 1, 120, 1)}, {});
-  ASSERT_EQ(merged.size(), 3u);       // the last one has the opposite polarity
+  const auto merged = mergeCollinear({segment(0, 0, 100, 0), segment(108, 0.5, 200, 0.5),
+                                      segment(0, 20, 100, 20), segment(200, 1, 120, 1)},
+                                     {});
+  ASSERT_EQ(merged.size(), 3u);  // the last one has the opposite polarity
   EXPECT_NEAR(merged[0].length(), 200, 0.5);
 }
 
 TEST(SegmentDetector, LeavesOutWhatIsTrackedAndWhatIsShort) {
-  const std::vector<DetectedSegment> truth = {segment(80, 60, 300, 90), segment(100, 300, 122, 310)};
+  const std::vector<DetectedSegment> truth = {segment(80, 60, 300, 90),
+                                              segment(100, 300, 122, 310)};
   const auto pyramid = buildPyramid(draw(truth), 3);
   EXPECT_NE(closestTo(detectSegments(*pyramid, {}, {}), truth[0], 0.8), nullptr);
   EXPECT_EQ(closestTo(detectSegments(*pyramid, {}, {truth[0]}), truth[0], 0.8), nullptr);

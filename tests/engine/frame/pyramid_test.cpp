@@ -41,7 +41,8 @@ TEST(Pyramid, AVerticalEdgeStaysVerticalWithOddWidths) {
   ASSERT_EQ(pyramid->size(), 5u);  // 376 -> 23 rows
   for (const cv::Mat& level : *pyramid) {
     for (int y = 1; y < level.rows; ++y)
-      ASSERT_EQ(cv::norm(level.row(0), level.row(y), cv::NORM_INF), 0) << level.cols << " row " << y;
+      ASSERT_EQ(cv::norm(level.row(0), level.row(y), cv::NORM_INF), 0)
+          << level.cols << " row " << y;
   }
   EXPECT_EQ((*pyramid)[1].cols, 620);
   EXPECT_EQ((*pyramid)[3].cols, 155);
@@ -71,7 +72,8 @@ TEST(Pyramid, CoordinatesPointAtTheSameContentOnEveryLevel) {
   // A ramp: grey = x + 2 y. The 2x2 mean of a ramp is the ramp at the block's centre.
   cv::Mat image(64, 64, CV_8UC1);
   for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x) image.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(x + 2 * y);
+    for (int x = 0; x < 64; ++x)
+      image.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(x + 2 * y);
   const cv::Mat half = halfSample(image);
   for (const Vec2& px : {Vec2(3, 5), Vec2(20, 7)}) {
     const Vec2 fine = fromLevel(px, 1);

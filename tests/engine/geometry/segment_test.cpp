@@ -17,13 +17,16 @@ TEST(Segment, DistanceJacobiansAgreeWithFiniteDifferences) {
   const SE3 T(so3Exp({0.1, -0.2, 0.3}), {0.2, 0.1, -0.1});
   // The two ends of a segment at very different depths: each has its own Jacobian.
   for (const Vec3& p_world : {Vec3(-0.4, -0.3, 1.1), Vec3(1.5, 0.7, 6.0)}) {
-    const auto distance = [&](const SE3& pose, const Vec3& p) { return line.distance(c.project(pose * p)); };
+    const auto distance = [&](const SE3& pose, const Vec3& p) {
+      return line.distance(c.project(pose * p));
+    };
     const Row6 J = lineTwistJacobian(c, T * p_world, line.normal);
     const Row3 Jp = linePointJacobian(c, T * p_world, T.rotation(), line.normal);
     constexpr double h = 1e-6;
     for (int k = 0; k < 6; ++k) {
       const Vec6 d = h * Vec6::Unit(k);
-      const double slope = (distance(SE3::exp(d) * T, p_world) - distance(SE3::exp(-d) * T, p_world)) / (2 * h);
+      const double slope =
+          (distance(SE3::exp(d) * T, p_world) - distance(SE3::exp(-d) * T, p_world)) / (2 * h);
       EXPECT_NEAR(J[k], slope, 1e-4 * (1 + std::abs(slope))) << k;
     }
     for (int k = 0; k < 3; ++k) {
@@ -69,7 +72,7 @@ TEST(Segment, RayMeetsTheLineAtTheTrueDepth) {
 
 TEST(Segment, ALineAlongTheEpipolarLineIsNoMeasurement) {
   const Pinhole c = camera();
-  const SE3 T(Mat3::Identity(), {-0.3, 0, 0});   // moves along x, the segment is horizontal
+  const SE3 T(Mat3::Identity(), {-0.3, 0, 0});  // moves along x, the segment is horizontal
   const ImageLine line = lineThrough({100, 200}, {300, 200});
   EXPECT_LT(intersectRayLine(c, T, c.bearing({150, 200}), line).cosine, 1e-9);
 }
@@ -104,8 +107,8 @@ TEST(Segment, DepthNoiseAgreesWithMonteCarlo) {
 
 TEST(Segment, SameEdgeNeedsDirectionDistanceAndOverlap) {
   const Vec2 a[2] = {{0, 0}, {100, 0}};
-  const Vec2 near[2] = {{150, 2}, {50, 3}}, apart[2] = {{0, 10}, {100, 10}}, turned[2] = {{50, -20}, {50, 20}},
-             behind[2] = {{120, 0}, {200, 0}};
+  const Vec2 near[2] = {{150, 2}, {50, 3}}, apart[2] = {{0, 10}, {100, 10}},
+             turned[2] = {{50, -20}, {50, 20}}, behind[2] = {{120, 0}, {200, 0}};
   EXPECT_TRUE(sameEdge(a, near, 5, 4, 0.3));
   EXPECT_FALSE(sameEdge(a, apart, 5, 4, 0.3));
   EXPECT_FALSE(sameEdge(a, turned, 5, 4, 0.3));

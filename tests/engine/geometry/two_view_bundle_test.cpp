@@ -27,8 +27,9 @@ MultiViewProblem truth(int points, bool edgelets) {
   for (const SE3& T : p.T_frame_ref) {
     p.x.emplace_back();
     for (int i = 0; i < points; ++i)
-      p.x.back().push_back((T.quaternion() * p.x_ref[i].homogeneous() +
-                            p.inv_depth[i] * T.translation()).hnormalized());
+      p.x.back().push_back(
+          (T.quaternion() * p.x_ref[i].homogeneous() + p.inv_depth[i] * T.translation())
+              .hnormalized());
   }
   return p;
 }
@@ -61,11 +62,13 @@ TEST(TwoViewBundle, JacobiansMatchFiniteDifferences) {
   for (int k = 0; k < 6; ++k) {
     const Vec6 d = h * Vec6::Unit(k);
     const Vec2 numeric = (multiViewResidual(SE3::exp(d) * T, x_ref, rho, x, kFocal).r -
-                          multiViewResidual(SE3::exp(-d) * T, x_ref, rho, x, kFocal).r) / (2 * h);
+                          multiViewResidual(SE3::exp(-d) * T, x_ref, rho, x, kFocal).r) /
+                         (2 * h);
     EXPECT_LT((at.J_pose.col(k) - numeric).norm(), 1e-4 * (1 + numeric.norm())) << k;
   }
   const Vec2 numeric = (multiViewResidual(T, x_ref, rho + h, x, kFocal).r -
-                        multiViewResidual(T, x_ref, rho - h, x, kFocal).r) / (2 * h);
+                        multiViewResidual(T, x_ref, rho - h, x, kFocal).r) /
+                       (2 * h);
   EXPECT_LT((at.J_inv_depth - numeric).norm(), 1e-4 * numeric.norm());
 }
 

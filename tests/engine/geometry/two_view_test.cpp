@@ -30,8 +30,8 @@ double planarDepth(const Vec2& x, std::mt19937&) {
   return 3.0 / Vec3(0.25, -0.15, 1.0).dot(x.homogeneous());
 }
 
-Scene makeScene(int count, const SE3& T, const Depth& depth, double noise_px,
-                double outliers = 0, unsigned seed = 5) {
+Scene makeScene(int count, const SE3& T, const Depth& depth, double noise_px, double outliers = 0,
+                unsigned seed = 5) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<double> u(-1, 1);
   std::normal_distribution<double> n;

@@ -67,10 +67,11 @@ TEST(RunWriter, MetricsHaveExactlyTheKeysOfTheContract) {
   const auto json = metricsOf(folder.path());
   std::set<std::string> keys;
   for (const auto& item : json.items()) keys.insert(item.key());
-  EXPECT_EQ(keys, (std::set<std::string>{
-                      "frames", "tracked", "maps", "init_frame", "tracked_fraction_after_init", "keyframes",
-                      "losses", "relocalisations", "relocalisation_time_s", "init_time_s", "ate",
-                      "rpe", "time_ms", "fps", "points", "segments", "seeds", "peak_rss_mb"}));
+  EXPECT_EQ(keys,
+            (std::set<std::string>{
+                "frames", "tracked", "maps", "init_frame", "tracked_fraction_after_init",
+                "keyframes", "losses", "relocalisations", "relocalisation_time_s", "init_time_s",
+                "ate", "rpe", "time_ms", "fps", "points", "segments", "seeds", "peak_rss_mb"}));
   EXPECT_EQ(json["frames"], 32);
   EXPECT_EQ(json["tracked"], 26);
   EXPECT_EQ(json["init_frame"], 2);
@@ -95,26 +96,32 @@ TEST(RunWriter, MetricsHaveExactlyTheKeysOfTheContract) {
 }
 
 TEST(RunWriter, PosesOfDifferentMapsAreInDifferentFiles) {
-  for (const int second : {12, 22}) {  // where the second map begins, of 30 frames: it is the main one, or not
+  for (const int second :
+       {12, 22}) {  // where the second map begins, of 30 frames: it is the main one, or not
     const test::TemporaryFolder folder;
     auto records = test::fakeRecords(30);
     RunInfo info = infoWithTruth(records);
     std::size_t poses[2] = {0, 0};
     for (std::size_t i = 0; i < records.size(); ++i) {
       records[i].map_id = static_cast<int>(i) >= second;
-      if (records[i].map_id) records[i].T_world_cam = SE3(records[i].T_world_cam.quaternion(), 3 * records[i].T_world_cam.translation());
+      if (records[i].map_id)
+        records[i].T_world_cam =
+            SE3(records[i].T_world_cam.quaternion(), 3 * records[i].T_world_cam.translation());
       poses[records[i].map_id] += records[i].pose_good;
     }
     test::writeText(folder / "trajectory-map7.txt", "of an earlier run");
     RunWriter writer;
     ASSERT_TRUE(writer.begin(folder.path(), info, "").ok());
     for (const FrameRecord& record : records) ASSERT_TRUE(writer.frame(record).ok());
-    EXPECT_EQ(loadTrajectory(folder / "trajectory.txt").value().poses.size(), poses[1]) << "while it runs";
+    EXPECT_EQ(loadTrajectory(folder / "trajectory.txt").value().poses.size(), poses[1])
+        << "while it runs";
     ASSERT_TRUE(writer.finish(test::fakeSnapshot(records.back()), 30).ok());
     const int main_map = poses[1] >= poses[0];
     EXPECT_EQ(main_map, second == 12);
     EXPECT_EQ(loadTrajectory(folder / "trajectory.txt").value().poses.size(), poses[main_map]);
-    EXPECT_EQ(loadTrajectory(folder / ("trajectory-map" + std::to_string(1 - main_map) + ".txt")).value().poses.size(),
+    EXPECT_EQ(loadTrajectory(folder / ("trajectory-map" + std::to_string(1 - main_map) + ".txt"))
+                  .value()
+                  .poses.size(),
               poses[1 - main_map]);
     EXPECT_FALSE(fs::exists(folder / "trajectory-map7.txt"));
     const auto json = metricsOf(folder.path());

@@ -18,7 +18,8 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 struct Vector {
   std::map<std::string, double> value;
   Belief belief(const std::string& prefix) const {
-    return {value.at(prefix + "mu"), value.at(prefix + "s2"), value.at(prefix + "a"), value.at(prefix + "b")};
+    return {value.at(prefix + "mu"), value.at(prefix + "s2"), value.at(prefix + "a"),
+            value.at(prefix + "b")};
   }
   Measurement measurement() const { return {value.at("x"), value.at("t2"), value.at("R")}; }
 };
@@ -52,7 +53,8 @@ void expectRelative(const Belief& is, const Belief& should, double tolerance) {
 }
 
 void expectUsable(const Belief& q) {
-  EXPECT_TRUE(std::isfinite(q.mu) && std::isfinite(q.sigma2) && std::isfinite(q.a) && std::isfinite(q.b));
+  EXPECT_TRUE(std::isfinite(q.mu) && std::isfinite(q.sigma2) && std::isfinite(q.a) &&
+              std::isfinite(q.b));
   EXPECT_GT(q.sigma2, 0);
   EXPECT_GT(q.a, 0);
   EXPECT_GT(q.b, 0);
@@ -92,10 +94,12 @@ TEST(DepthFilter, AtTheLimitTheJsRuleTakesTheMeasurementForAnOutlier) {
 
 TEST(DepthFilter, MeasurementsThatAreNotNumbersChangeNothing) {
   const Belief q{0.5, 0.01, 10, 10};
-  for (const Measurement& m : {Measurement{kNan, 1e-3, 1}, Measurement{0.5, kNan, 1}, Measurement{kInf, 1e-3, 1},
-                               Measurement{0.5, kInf, 1}, Measurement{0.5, -1, 1}, Measurement{0.5, 0, 1},
-                               Measurement{0.5, 1e-3, 0}, Measurement{0.5, 1e-3, kNan}}) {
-    for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) expectRelative(updateBelief(rule, q, m, {}), q, 0);
+  for (const Measurement& m :
+       {Measurement{kNan, 1e-3, 1}, Measurement{0.5, kNan, 1}, Measurement{kInf, 1e-3, 1},
+        Measurement{0.5, kInf, 1}, Measurement{0.5, -1, 1}, Measurement{0.5, 0, 1},
+        Measurement{0.5, 1e-3, 0}, Measurement{0.5, 1e-3, kNan}}) {
+    for (const FilterRule rule : {FilterRule::kl, FilterRule::js})
+      expectRelative(updateBelief(rule, q, m, {}), q, 0);
   }
 }
 
@@ -105,7 +109,8 @@ TEST(DepthFilter, ExtremeSpreadsStayFinite) {
     for (const double t2 : {tiny, small, 1e-2, large}) {
       for (const double x : {0.5, 0.5 + 1e-9, 0.0, 1e-9, 1e6}) {
         const Belief q{0.5, s2, 10, 10};
-        for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) expectUsable(updateBelief(rule, q, {x, t2, 1}, {}));
+        for (const FilterRule rule : {FilterRule::kl, FilterRule::js})
+          expectUsable(updateBelief(rule, q, {x, t2, 1}, {}));
       }
     }
   }
@@ -126,7 +131,8 @@ TEST(DepthFilter, CountsAtTheirLimitsStayFinite) {
 TEST(DepthFilter, ManyGoodMeasurementsConverge) {
   for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) {
     Belief q{0.5, 1.0 / 36, 10, 10};
-    for (int i = 0; i < 500; ++i) q = updateBelief(rule, q, {0.62 + (i % 2 ? 0.001 : -0.001), 1e-5, 1}, {});
+    for (int i = 0; i < 500; ++i)
+      q = updateBelief(rule, q, {0.62 + (i % 2 ? 0.001 : -0.001), 1e-5, 1}, {});
     expectUsable(q);
     EXPECT_NEAR(q.mu, 0.62, 1e-3);
     EXPECT_GT(q.inlierRatio(), 0.9);

@@ -42,7 +42,8 @@ TEST(Divergence, TableAgreesWithNumericIntegrationEverywhere) {
       worst = std::max(worst, std::abs(table - jsdNumeric(0.3, s.v1, 0.3 + d, s.v2)));
       ASSERT_GE(table, 0);
       ASSERT_LE(table, kLog2);
-      ASSERT_NEAR(table, agreement(0.3 + d, s.v2, 0.3, s.v1).jsd, 1e-12) << "not symmetric at r " << r << " d " << d;
+      ASSERT_NEAR(table, agreement(0.3 + d, s.v2, 0.3, s.v1).jsd, 1e-12)
+          << "not symmetric at r " << r << " d " << d;
     }
   }
   EXPECT_LE(worst, 1e-4);
@@ -51,7 +52,8 @@ TEST(Divergence, TableAgreesWithNumericIntegrationEverywhere) {
 TEST(Divergence, DependsOnlyOnOffsetAndRatio) {
   for (const double scale : {1e-10, 1e-4, 1.0, 1e6}) {
     const Spreads s(1.3, scale);
-    EXPECT_NEAR(agreement(0, s.v1, 0.7 * std::sqrt(scale), s.v2).jsd, agreement(0, Spreads(1.3).v1, 0.7, Spreads(1.3).v2).jsd, 1e-9);
+    EXPECT_NEAR(agreement(0, s.v1, 0.7 * std::sqrt(scale), s.v2).jsd,
+                agreement(0, Spreads(1.3).v1, 0.7, Spreads(1.3).v2).jsd, 1e-9);
   }
 }
 
@@ -84,12 +86,15 @@ TEST(Divergence, NumericAndTableAffinityAgree) {
   for (double r = 0; r < 5; r += 0.7) {
     const Spreads s(r);
     for (double d = 0; d < 3; d += 0.2)
-      EXPECT_NEAR(agreement(0, s.v1, d, s.v2).affinity, agreementNumeric(0, s.v1, d, s.v2).affinity, 3e-3) << r << " " << d;
+      EXPECT_NEAR(agreement(0, s.v1, d, s.v2).affinity, agreementNumeric(0, s.v1, d, s.v2).affinity,
+                  3e-3)
+          << r << " " << d;
   }
 }
 
 TEST(Divergence, NotFiniteOrFlatMeansNoAgreement) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, nan, inf}) {
     EXPECT_DOUBLE_EQ(agreement(0, bad, 0, 1).jsd, kLog2);
     EXPECT_DOUBLE_EQ(agreement(0, 1, 0, bad).affinity, 0);

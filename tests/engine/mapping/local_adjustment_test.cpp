@@ -14,7 +14,8 @@ namespace {
 constexpr int kKeyframes = 4;
 const Vec3 kEnds[2] = {{-0.6, 0.4, 2.0}, {0.5, -0.3, 2.7}};
 
-/// Keyframes on an arc before points and one segment, all exact; what a test wants wrong it disturbs.
+/// Keyframes on an arc before points and one segment, all exact; what a test wants wrong it
+/// disturbs.
 struct LocalAdjustmentTest : testing::Test {
   Map map;
   std::vector<SE3> true_poses;
@@ -83,13 +84,16 @@ TEST_F(LocalAdjustmentTest, RestoresPosesPointsAndSegments) {
   ASSERT_TRUE(result.ok);
   EXPECT_LT(result.final_px, 0.05 * result.initial_px);
   // The scale is free: compare what is left after taking it out.
-  const double scale = result.keyframes.back().T_cam_world.translation().norm() / true_poses.back().translation().norm();
+  const double scale = result.keyframes.back().T_cam_world.translation().norm() /
+                       true_poses.back().translation().norm();
   EXPECT_NEAR(scale, 1, 0.1);
   for (const AdjustmentKeyframe& k : result.keyframes) {
     const SE3 T(k.T_cam_world.quaternion(), k.T_cam_world.translation() / scale);
-    EXPECT_LT((T * true_poses[static_cast<std::size_t>(k.id)].inverse()).log().norm(), 1e-3) << k.id;
+    EXPECT_LT((T * true_poses[static_cast<std::size_t>(k.id)].inverse()).log().norm(), 1e-3)
+        << k.id;
   }
-  for (const AdjustmentPoint& x : result.points) EXPECT_LT((x.p_world / scale - true_points.at(x.id)).norm(), 5e-3);
+  for (const AdjustmentPoint& x : result.points)
+    EXPECT_LT((x.p_world / scale - true_points.at(x.id)).norm(), 5e-3);
   ASSERT_EQ(result.ends.size(), 2u);
   for (const AdjustmentEnd& end : result.ends) EXPECT_LT(offLine(end.p_world / scale), 5e-3);
   EXPECT_TRUE(result.outliers.empty());
@@ -97,7 +101,8 @@ TEST_F(LocalAdjustmentTest, RestoresPosesPointsAndSegments) {
 }
 
 TEST_F(LocalAdjustmentTest, HoldsTheOldestKeyframeAndTheFixedOnes) {
-  map.keyframes[2].T_cam_world = SE3(so3Exp({0.004, 0, 0}), {0.01, 0, 0}) * map.keyframes[2].T_cam_world;
+  map.keyframes[2].T_cam_world =
+      SE3(so3Exp({0.004, 0, 0}), {0.01, 0, 0}) * map.keyframes[2].T_cam_world;
   const AdjustmentResult result = adjust();
   ASSERT_TRUE(result.ok);
   int held = 0;
@@ -140,7 +145,9 @@ TEST_F(LocalAdjustmentTest, SeedDepthsWithACommonErrorDoNotMoveTheScale) {
   const AdjustmentResult result = adjust();
   ASSERT_TRUE(result.ok);
   for (const AdjustmentKeyframe& k : result.keyframes)
-    EXPECT_LT((k.T_cam_world * true_poses[static_cast<std::size_t>(k.id)].inverse()).log().norm(), 2e-3) << k.id;
+    EXPECT_LT((k.T_cam_world * true_poses[static_cast<std::size_t>(k.id)].inverse()).log().norm(),
+              2e-3)
+        << k.id;
   for (const AdjustmentEnd& end : result.ends) EXPECT_LT(offLine(end.p_world), 1e-2);
 }
 
@@ -168,13 +175,15 @@ TEST_F(LocalAdjustmentTest, AnEndPointBehindACameraIsNotMeasuredThere) {
 }
 
 TEST_F(LocalAdjustmentTest, TheSameProblemGivesTheSameBytes) {
-  map.keyframes[2].T_cam_world = SE3(so3Exp({0.004, 0, 0}), {0.01, 0, 0}) * map.keyframes[2].T_cam_world;
+  map.keyframes[2].T_cam_world =
+      SE3(so3Exp({0.004, 0, 0}), {0.01, 0, 0}) * map.keyframes[2].T_cam_world;
   const AdjustmentResult first = adjust();
   const std::vector<char> elsewhere(4097);  // moves what is allocated next
   const AdjustmentResult second = adjust();
   for (std::size_t i = 0; i < first.keyframes.size(); ++i)
     EXPECT_EQ(first.keyframes[i].T_cam_world.matrix(), second.keyframes[i].T_cam_world.matrix());
-  for (std::size_t i = 0; i < first.points.size(); ++i) EXPECT_EQ(first.points[i].p_world, second.points[i].p_world);
+  for (std::size_t i = 0; i < first.points.size(); ++i)
+    EXPECT_EQ(first.points[i].p_world, second.points[i].p_world);
 }
 
 TEST_F(LocalAdjustmentTest, TooFewPointsAreLeftAlone) {

@@ -32,13 +32,15 @@ FeatureAnchor anchorOf(const Map& map, int keyframe, const Vec3& p_world) {
 
 Landmark& observed(Map& map, const Vec3& p_world, const std::vector<int>& keyframes) {
   Landmark& landmark = map.addLandmark(p_world, FeatureType::corner);
-  for (const int id : keyframes) map.addObservation(landmark, map.keyframes.at(id), anchorOf(map, id, p_world));
+  for (const int id : keyframes)
+    map.addObservation(landmark, map.keyframes.at(id), anchorOf(map, id, p_world));
   return landmark;
 }
 
 void expectConsistent(const Map& map) {
   for (const auto& [id, keyframe] : map.keyframes) {
-    for (const std::int64_t seen : keyframe.landmarks) EXPECT_NE(map.find(seen), nullptr) << "keyframe " << id;
+    for (const std::int64_t seen : keyframe.landmarks)
+      EXPECT_NE(map.find(seen), nullptr) << "keyframe " << id;
   }
   for (const auto& [id, landmark] : map.landmarks) {
     for (const LandmarkObservation& o : landmark.observations) {
@@ -112,10 +114,12 @@ TEST(ClosestView, PicksTheSmallestAngleWithinTheLimit) {
     const LandmarkObservation* o = closestView(map, landmark, c, min_cosine);
     return o ? o->keyframe_id : -1;
   };
-  const auto centre = [&](int id) { return map.keyframes.at(id).T_cam_world.inverse().translation(); };
+  const auto centre = [&](int id) {
+    return map.keyframes.at(id).T_cam_world.inverse().translation();
+  };
   for (int id = 0; id < 3; ++id) EXPECT_EQ(view(centre(id) + Vec3(0.01, 0, 0), 0.5), id);
-  EXPECT_EQ(view(Vec3(0, 0, 2), 0.5), -1);     // from behind
-  EXPECT_EQ(view(Vec3(3, 0, 0.5), 0.9), -1);   // from the side
+  EXPECT_EQ(view(Vec3(0, 0, 2), 0.5), -1);    // from behind
+  EXPECT_EQ(view(Vec3(3, 0, 0.5), 0.9), -1);  // from the side
 }
 
 TEST(LandmarkRefinement, ConvergesToTheTruth) {
@@ -136,7 +140,8 @@ TEST(LandmarkRefinement, CoarseViewsWeighLess) {
   Map map = threeKeyframes();
   const Vec3 truth(0, 0, 2);
   Landmark& landmark = observed(map, truth, {0, 1, 2});
-  landmark.observations[2].anchor.f = map.camera.bearing(landmark.observations[2].anchor.px + Vec2(0, 4));
+  landmark.observations[2].anchor.f =
+      map.camera.bearing(landmark.observations[2].anchor.px + Vec2(0, 4));
   Landmark coarse = landmark;
   coarse.observations[2].anchor.level = 3;
   refineLandmark(landmark, map, 10);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The update against numerical integration of the exact posterior, and against the closed form as
 // printed by Vogiatzis & Hernandez.
-#include "engine/mapping/depth_filter.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "engine/mapping/depth_filter.h"
 
 namespace svoscope {
 namespace {
@@ -64,9 +64,9 @@ void expectMoments(const Belief& q, const Measurement& m) {
 
 TEST(MomentMatch, MatchesTheMomentsOfTheExactPosterior) {
   expectMoments({0.5, 0.01, 10, 10}, {0.55, 0.0025, 1});
-  expectMoments({0.5, 0.01, 10, 10}, {0.9, 0.0025, 1});   // 3.6 sigma away: mostly outlier
+  expectMoments({0.5, 0.01, 10, 10}, {0.9, 0.0025, 1});  // 3.6 sigma away: mostly outlier
   expectMoments({0.5, 0.01, 3, 30}, {0.52, 0.0001, 2});
-  expectMoments({0.5, 0.0004, 25, 6}, {0.51, 0.01, 1});   // vague measurement
+  expectMoments({0.5, 0.0004, 25, 6}, {0.51, 0.01, 1});  // vague measurement
   expectMoments({0.8, 0.02, 4, 4}, {0.3, 0.02, 3});
 }
 
@@ -74,7 +74,8 @@ TEST(MomentMatch, MatchesTheMomentsOfTheExactPosterior) {
 Belief printedFormula(const Belief& q, const Measurement& m, double weight) {
   const double s = 1 / (1 / q.sigma2 + 1 / m.tau2), mean = s * (q.mu / q.sigma2 + m.x / m.tau2);
   const double a = q.a, b = q.b;
-  double c1 = weight * a / (a + b) * normal(m.x, q.mu, q.sigma2 + m.tau2), c2 = b / (a + b) / m.range;
+  double c1 = weight * a / (a + b) * normal(m.x, q.mu, q.sigma2 + m.tau2),
+         c2 = b / (a + b) / m.range;
   const double sum = c1 + c2;
   c1 /= sum;
   c2 /= sum;
@@ -90,9 +91,12 @@ Belief printedFormula(const Belief& q, const Measurement& m, double weight) {
 
 TEST(MomentMatch, AgreesWithThePrintedFormula) {
   std::mt19937 rng(1);
-  const auto uniform = [&rng](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(rng); };
+  const auto uniform = [&rng](double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(rng);
+  };
   for (int i = 0; i < 400; ++i) {
-    const Belief q{uniform(0.2, 1.2), std::pow(10, uniform(-6, -1.3)), uniform(3, 40), uniform(3, 40)};
+    const Belief q{uniform(0.2, 1.2), std::pow(10, uniform(-6, -1.3)), uniform(3, 40),
+                   uniform(3, 40)};
     const double tau2 = std::pow(10, uniform(-6, -1.3));
     const Measurement m{q.mu + 4 * uniform(-1, 1) * std::sqrt(q.sigma2 + tau2), tau2, 1};
     for (const double weight : {1.0, 0.3}) {
@@ -145,10 +149,17 @@ TEST(MomentMatch, AVagueMeasurementTeachesNothing) {
 }
 
 TEST(MomentMatch, UnusableInputLeavesTheBelief) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
   const Belief q{0.5, 0.01, 12, 9};
-  for (const Measurement& m : {Measurement{nan, 0.01, 1}, {0.5, nan, 1}, {inf, 0.01, 1}, {0.5, inf, 1}, {0.5, 0, 1},
-                              {0.5, -1, 1}, {0.5, 0.01, 0}, {0.5, 0.01, nan}}) {
+  for (const Measurement& m : {Measurement{nan, 0.01, 1},
+                               {0.5, nan, 1},
+                               {inf, 0.01, 1},
+                               {0.5, inf, 1},
+                               {0.5, 0, 1},
+                               {0.5, -1, 1},
+                               {0.5, 0.01, 0},
+                               {0.5, 0.01, nan}}) {
     const Belief next = updateKl(q, m);
     EXPECT_EQ(next.mu, q.mu);
     EXPECT_EQ(next.sigma2, q.sigma2);

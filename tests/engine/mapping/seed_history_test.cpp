@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "engine/mapping/seed_update.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "engine/mapping/seed_update.h"
 
 namespace svoscope {
 namespace {
@@ -86,10 +86,12 @@ TEST(SeedHistory, UpdatesAreDescribed) {
   EXPECT_FLOAT_EQ(v.kl_before.mu, static_cast<float>(before.belief.mu));
   EXPECT_FLOAT_EQ(v.kl_after.mu, static_cast<float>(after.belief.mu));
   EXPECT_FLOAT_EQ(v.js_after.mu, static_cast<float>(after.shadow.mu));
-  EXPECT_FLOAT_EQ(v.kl_belief_measurement,
-                  static_cast<float>(klGaussian(before.belief.mu, before.belief.sigma2, 0.6, 0.03 * 0.03)));
-  EXPECT_FLOAT_EQ(v.kl_measurement_belief,
-                  static_cast<float>(klGaussian(0.6, 0.03 * 0.03, before.belief.mu, before.belief.sigma2)));
+  EXPECT_FLOAT_EQ(
+      v.kl_belief_measurement,
+      static_cast<float>(klGaussian(before.belief.mu, before.belief.sigma2, 0.6, 0.03 * 0.03)));
+  EXPECT_FLOAT_EQ(
+      v.kl_measurement_belief,
+      static_cast<float>(klGaussian(0.6, 0.03 * 0.03, before.belief.mu, before.belief.sigma2)));
   EXPECT_GT(v.jsd, 0);
   EXPECT_LT(v.jsd, kLog2);
   EXPECT_GT(v.affinity, 0);
@@ -104,7 +106,8 @@ TEST(SeedHistory, EndingsHaveReasons) {
   EXPECT_EQ(seed.status, SeedStatus::rejected);
 
   Seed behind = freshSeed(p);
-  for (int i = 0; i < 50 && behind.ending == SeedEnding::none; ++i) applyMeasurement(behind, measured(-0.4, 0.01), p);
+  for (int i = 0; i < 50 && behind.ending == SeedEnding::none; ++i)
+    applyMeasurement(behind, measured(-0.4, 0.01), p);
   EXPECT_EQ(behind.ending, SeedEnding::no_depth);
 
   Seed broken = freshSeed(p);
@@ -126,18 +129,21 @@ TEST(SeedHistory, SeedsEndWithTheirKeyframe) {
 }
 
 TEST(SeedHistory, DegenerateMeasurementsLeaveTheSeedUsable) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
   for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) {
     DepthFilterParameters p;
     p.rule = rule;
     Seed seed = freshSeed(p);
     const Seed before = seed;
-    for (SeedMeasurement m : {measured(nan, 0.1), measured(0.5, nan), measured(0.5, 0), measured(inf, 0.1), measured(0.5, inf)}) {
+    for (SeedMeasurement m : {measured(nan, 0.1), measured(0.5, nan), measured(0.5, 0),
+                              measured(inf, 0.1), measured(0.5, inf)}) {
       m.score = nan;
       const Seed last = seed;
       applyMeasurement(seed, m, p);
       const SeedUpdateView v = describeUpdate(last, seed, m, p.rule);
-      for (const float value : {v.score, v.x, v.tau, v.jsd, v.affinity, v.kl_belief_measurement, v.kl_measurement_belief})
+      for (const float value : {v.score, v.x, v.tau, v.jsd, v.affinity, v.kl_belief_measurement,
+                                v.kl_measurement_belief})
         EXPECT_TRUE(std::isfinite(value));
     }
     EXPECT_DOUBLE_EQ(seed.belief.mu, before.belief.mu);
@@ -153,7 +159,9 @@ TEST(SeedHistory, ZeroBaselineIsNoMeasurement) {
   EXPECT_GE(inverseDistanceSigma(SE3(), Vec3::UnitZ(), 0.5, 1, 500), 1e5);
   cv::Mat gray(240, 320, CV_8UC1);
   for (int y = 0; y < gray.rows; ++y) {
-    for (int x = 0; x < gray.cols; ++x) gray.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(127 + 60 * std::sin(0.4 * x) * std::cos(0.3 * y));
+    for (int x = 0; x < gray.cols; ++x)
+      gray.at<std::uint8_t>(y, x) =
+          static_cast<std::uint8_t>(127 + 60 * std::sin(0.4 * x) * std::cos(0.3 * y));
   }
   Pinhole c = camera();
   c.width = 320;

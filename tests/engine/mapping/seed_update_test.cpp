@@ -62,7 +62,8 @@ TEST(ApplyMeasurement, AFailedSearchIsOneOutlierSeen) {
 }
 
 TEST(ApplyMeasurement, OutcomesWithoutInformationLeaveTheBelief) {
-  for (const SearchOutcome o : {SearchOutcome::out_of_view, SearchOutcome::low_parallax, SearchOutcome::edge_parallel}) {
+  for (const SearchOutcome o :
+       {SearchOutcome::out_of_view, SearchOutcome::low_parallax, SearchOutcome::edge_parallel}) {
     Seed seed = seedAt(0.5, 1e-4);  // would converge if it were looked at
     applyMeasurement(seed, outcome(o), {});
     EXPECT_EQ(seed.belief.b, 10);
@@ -112,8 +113,8 @@ TEST(ApplyMeasurement, NaNLeavesTheBelief) {
 }
 
 /// A job that measures `seeds` of keyframe 0 at the origin in a new view.
-MappingJob jobFor(const test::PlaneScene& scene, const std::vector<Seed>& seeds, const PyramidPtr& reference,
-                  const SE3& T_cam_world, int frame) {
+MappingJob jobFor(const test::PlaneScene& scene, const std::vector<Seed>& seeds,
+                  const PyramidPtr& reference, const SE3& T_cam_world, int frame) {
   MappingJob job;
   job.frame_index = frame;
   job.camera = scene.camera();
@@ -139,7 +140,8 @@ std::vector<Seed> detectSeeds(const test::PlaneScene& scene, const PyramidPtr& r
   const MappingResult result = runMappingJob(job, {});
   std::vector<Seed> seeds;
   for (const NewSeed& fresh : result.new_seeds) {
-    seeds.push_back(makeSeed(fresh.feature, scene.camera(), result.median_depth, result.min_depth, {}));
+    seeds.push_back(
+        makeSeed(fresh.feature, scene.camera(), result.median_depth, result.min_depth, {}));
     seeds.back().id = static_cast<std::int64_t>(seeds.size()) - 1;
   }
   return seeds;
@@ -152,7 +154,8 @@ TEST(MappingJob, SeedsConvergeToTheTrueDepth) {
   ASSERT_GT(seeds.size(), 60u);
   for (int k = 1; k <= 16; ++k) {
     const SE3 T(so3Exp(Vec3(0, 0.004 * k, 0)), Vec3(-0.025 * k, 0.012 * k, 0));
-    for (const SeedMeasurement& m : runMappingJob(jobFor(scene, seeds, reference, T, k), {}).measurements) {
+    for (const SeedMeasurement& m :
+         runMappingJob(jobFor(scene, seeds, reference, T, k), {}).measurements) {
       EXPECT_EQ(m.frame_index, k);
       applyMeasurement(seeds[static_cast<std::size_t>(m.seed_id)], m, {});
     }

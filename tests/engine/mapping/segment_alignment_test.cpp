@@ -16,15 +16,20 @@ struct SegmentAlignmentTest : testing::Test {
 
   SegmentAlignment align(const SE3& T_true_cur, const SE3& T_predicted) {
     cur = world.render(T_true_cur);
-    SegmentQuery q{ref.get(), cur.get(), world.camera, T_predicted,
-                   makeSegmentAnchor(world.camera.project(world.a), world.camera.project(world.b), world.camera, 0),
+    SegmentQuery q{ref.get(),
+                   cur.get(),
+                   world.camera,
+                   T_predicted,
+                   makeSegmentAnchor(world.camera.project(world.a), world.camera.project(world.b),
+                                     world.camera, 0),
                    {world.a, world.b}};
     return alignSegment(q, {}, {});
   }
   /// Distances of the found ends from the true line.
   void expectOnLine(const SegmentAlignment& r, const SE3& T, double within) {
     ASSERT_TRUE(r.ok) << r.samples << " samples, " << r.inliers << " inliers";
-    const ImageLine line = lineThrough(world.camera.project(T * world.a), world.camera.project(T * world.b));
+    const ImageLine line =
+        lineThrough(world.camera.project(T * world.a), world.camera.project(T * world.b));
     for (const Vec2& px : r.px) EXPECT_LT(std::abs(line.distance(px)), within);
   }
 };
@@ -33,7 +38,8 @@ TEST_F(SegmentAlignmentTest, FindsTheLineToSubPixel) {
   const SE3 off = SE3::exp((Vec6() << 0.008, -0.006, 0, 0.002, 0.001, 0.01).finished()) * T_true;
   const auto r = align(T_true, off);
   expectOnLine(r, T_true, 0.1);
-  EXPECT_GT(std::abs(lineThrough(r.predicted[0], r.predicted[1]).distance(r.px[0])), 0.3);  // had to move
+  EXPECT_GT(std::abs(lineThrough(r.predicted[0], r.predicted[1]).distance(r.px[0])),
+            0.3);  // had to move
 }
 
 TEST_F(SegmentAlignmentTest, PartOfASegmentIsEnough) {

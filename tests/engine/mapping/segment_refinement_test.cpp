@@ -55,9 +55,11 @@ TEST_F(SegmentRefinementTest, JacobiansAgreeWithFiniteDifferences) {
   for (int k = 0; k < 3; ++k) {
     const Vec3 d = 1e-6 * Vec3::Unit(k);
     const Eigen::VectorXd slope =
-        (endPointResiduals(s, 0, p + d, map, 0.5).r - endPointResiduals(s, 0, p - d, map, 0.5).r) / 2e-6;
+        (endPointResiduals(s, 0, p + d, map, 0.5).r - endPointResiduals(s, 0, p - d, map, 0.5).r) /
+        2e-6;
     // The weight of an extrapolated line moves a little with the point; it is held in the Jacobian.
-    for (Eigen::Index i = 0; i < at.r.size(); ++i) EXPECT_NEAR(at.J(i, k), slope[i], 0.02 * at.J.row(i).norm()) << i << k;
+    for (Eigen::Index i = 0; i < at.r.size(); ++i)
+      EXPECT_NEAR(at.J(i, k), slope[i], 0.02 * at.J.row(i).norm()) << i << k;
   }
 }
 

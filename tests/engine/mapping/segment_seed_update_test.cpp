@@ -11,13 +11,14 @@ namespace {
 struct SegmentSeedTest : testing::Test {
   test::EdgeWorld world;
   PyramidPtr ref = world.render(SE3()), cur;
-  SegmentAnchor anchor =
-      makeSegmentAnchor(world.camera.project(world.a), world.camera.project(world.b), world.camera, 0);
+  SegmentAnchor anchor = makeSegmentAnchor(world.camera.project(world.a),
+                                           world.camera.project(world.b), world.camera, 0);
   MappingParameters parameters;
 
   SegmentMeasurement search(const SE3& T, double mu0, double mu1, double sigma) {
     cur = world.render(T);
-    return searchSegment({ref.get(), cur.get(), world.camera, T, anchor, {mu0, mu1}, {sigma, sigma}}, parameters);
+    return searchSegment(
+        {ref.get(), cur.get(), world.camera, T, anchor, {mu0, mu1}, {sigma, sigma}}, parameters);
   }
   double truth(int i) const { return 1 / (i ? world.b : world.a).norm(); }
 };
@@ -43,7 +44,8 @@ TEST_F(SegmentSeedTest, MotionAlongTheSegmentIsRefusedAndTheReasonKept) {
   EXPECT_EQ(seed.belief[0].b, parameters.filter.initial_ab);  // says nothing about the seed
   // The same for a line measured by the tracker.
   const Vec2 px[2] = {world.camera.project(T * world.a), world.camera.project(T * world.b)};
-  EXPECT_EQ(measureFromLine(world.camera, T, anchor, px, parameters).outcome, SearchOutcome::edge_parallel);
+  EXPECT_EQ(measureFromLine(world.camera, T, anchor, px, parameters).outcome,
+            SearchOutcome::edge_parallel);
 }
 
 TEST_F(SegmentSeedTest, TheTrackedLineGivesTheTrueDepths) {
@@ -72,7 +74,8 @@ TEST_F(SegmentSeedTest, HopelessSeedsAreRejected) {
   SegmentSeed seed = makeSegmentSeed(anchor, 2.5, 1.5, parameters.filter);
   SegmentMeasurement m;
   m.outcome = SearchOutcome::no_match;
-  for (int k = 0; k < 200 && seed.status == SeedStatus::active; ++k) applySegmentMeasurement(seed, m, parameters.filter);
+  for (int k = 0; k < 200 && seed.status == SeedStatus::active; ++k)
+    applySegmentMeasurement(seed, m, parameters.filter);
   EXPECT_EQ(seed.status, SeedStatus::rejected);
 }
 

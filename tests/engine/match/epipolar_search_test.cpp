@@ -17,7 +17,10 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 /// A reference view at the origin and a current view of a textured plane.
 struct TwoViews {
   TwoViews(const Vec3& normal, const SE3& T)
-      : scene(test::smallCamera(), normal, 2, 0.06), T_cur_ref(T), ref(scene.pyramid(SE3(), 4)), cur(scene.pyramid(T, 4)) {}
+      : scene(test::smallCamera(), normal, 2, 0.06),
+        T_cur_ref(T),
+        ref(scene.pyramid(SE3(), 4)),
+        cur(scene.pyramid(T, 4)) {}
 
   double truth(const Vec2& px) const { return scene.inverseDistance(SE3(), px); }
 
@@ -67,7 +70,8 @@ TEST(EpipolarSearch, FindsTheInverseDistanceOfASlantedPlane) {
 }
 
 TEST(EpipolarSearch, WorksForForwardMotion) {
-  expectDepths(TwoViews(Vec3::UnitZ(), SE3(Eigen::Quaterniond::Identity(), Vec3(0.03, 0.02, -0.35))), 0.6);
+  expectDepths(
+      TwoViews(Vec3::UnitZ(), SE3(Eigen::Quaterniond::Identity(), Vec3(0.03, 0.02, -0.35))), 0.6);
 }
 
 TEST(EpipolarSearch, LooksNoFurtherThanSigmasAllow) {
@@ -106,7 +110,8 @@ TEST(EpipolarSearch, TellsWhyThereIsNoMeasurement) {
   const TwoViews still(Vec3::UnitZ(), SE3());
   EXPECT_EQ(searchEpipolar(still.query(px, 0.5, 0.1), {}, {}).outcome, SearchOutcome::low_parallax);
   const TwoViews barely(Vec3::UnitZ(), SE3(Eigen::Quaterniond::Identity(), Vec3(-0.001, 0, 0)));
-  EXPECT_EQ(searchEpipolar(barely.query(px, 0.5, 0.1), {}, {}).outcome, SearchOutcome::low_parallax);
+  EXPECT_EQ(searchEpipolar(barely.query(px, 0.5, 0.1), {}, {}).outcome,
+            SearchOutcome::low_parallax);
   // A patch of another plane: nothing on the line looks like it.
   TwoViews other(Vec3::UnitZ(), kSideways);
   other.cur = buildPyramid(cv::Mat(240, 320, CV_8UC1, cv::Scalar(128)), 4);
@@ -161,8 +166,9 @@ TEST(EpipolarSearch, TheProfileIsLowestAtTheTruth) {
   const Vec2 px(160, 120);
   const auto profile = scoreProfile(views.query(px, views.truth(px) * 1.1, 0.1), {});
   ASSERT_GT(profile.size(), 8u);
-  const auto best = std::min_element(profile.begin(), profile.end(),
-                                     [](const auto& a, const auto& b) { return a.score < b.score; });
+  const auto best =
+      std::min_element(profile.begin(), profile.end(),
+                       [](const auto& a, const auto& b) { return a.score < b.score; });
   EXPECT_NEAR(best->inv_distance, views.truth(px), 0.02);
   for (std::size_t i = 1; i < profile.size(); ++i)
     EXPECT_LE(profile[i - 1].inv_distance, profile[i].inv_distance);
@@ -180,18 +186,22 @@ TEST(TriangulateInverseDistance, InvertsProjection) {
 
 /// |d inverse distance / d px| along the epipolar line, numerically.
 double numericSigma(const Pinhole& camera, const SE3& T, const Vec3& f, double z) {
-  const auto at = [&](double inverse) { return camera.project(T.quaternion() * f + inverse * T.translation()); };
+  const auto at = [&](double inverse) {
+    return camera.project(T.quaternion() * f + inverse * T.translation());
+  };
   const Vec2 along = (at(z + 1e-6) - at(z - 1e-6)).normalized(), px = at(z);
   constexpr double h = 1e-3;  // px
   return std::abs(triangulateInverseDistance(camera, T, f, px + h * along) -
-                  triangulateInverseDistance(camera, T, f, px - h * along)) / (2 * h);
+                  triangulateInverseDistance(camera, T, f, px - h * along)) /
+         (2 * h);
 }
 
 TEST(ParallaxAt, IsTheAngleBetweenTheRays) {
   const SE3 T_cur_ref(so3Exp(Vec3(0.1, -0.2, 0.05)), Vec3(0.3, -0.1, 0.05));
   const Vec3 f = Vec3(0.1, 0.2, 1).normalized();
   const Vec3 c = T_cur_ref.inverse().translation(), p = f / 0.4;
-  EXPECT_NEAR(parallaxAt(T_cur_ref, f, 0.4), std::acos(p.normalized().dot((p - c).normalized())), 1e-12);
+  EXPECT_NEAR(parallaxAt(T_cur_ref, f, 0.4), std::acos(p.normalized().dot((p - c).normalized())),
+              1e-12);
   EXPECT_NEAR(parallaxAt(SE3(so3Exp(Vec3(0.1, 0, 0)), Vec3::Zero()), f, 0.4), 0, 1e-12);
   EXPECT_NEAR(parallaxAt(T_cur_ref, f, 0), 0, 1e-12);
 }
@@ -208,7 +218,8 @@ TEST(InverseDistanceSigma, IsWhatOnePixelAlongTheLineChanges) {
         const Vec3 seen = T.quaternion() * f + z * T.translation();
         const double cosine = seen.z() / seen.norm();
         EXPECT_GT(sigma / numeric, 0.98) << "inverse distance " << z << " at " << px.transpose();
-        EXPECT_LT(sigma / numeric, 1.02 / (cosine * cosine)) << "inverse distance " << z << " at " << px.transpose();
+        EXPECT_LT(sigma / numeric, 1.02 / (cosine * cosine))
+            << "inverse distance " << z << " at " << px.transpose();
       }
     }
   }
@@ -219,7 +230,8 @@ TEST(InverseDistanceSigma, GrowsWithNoiseAndIsHugeWithoutBaseline) {
   const double one = inverseDistanceSigma(kSideways, f, 0.5, 1, 300);
   EXPECT_NEAR(inverseDistanceSigma(kSideways, f, 0.5, 2, 300) / one, 2, 0.02);
   EXPECT_GE(inverseDistanceSigma(SE3(), f, 0.5, 1, 300), 1e3);
-  const double along = inverseDistanceSigma(SE3(Eigen::Quaterniond::Identity(), Vec3(0, 0, -0.1)), f, 0.5, 1, 300);
+  const double along =
+      inverseDistanceSigma(SE3(Eigen::Quaterniond::Identity(), Vec3(0, 0, -0.1)), f, 0.5, 1, 300);
   EXPECT_TRUE(std::isfinite(along));
   EXPECT_GT(along, 1);  // motion towards the point: no information
 }

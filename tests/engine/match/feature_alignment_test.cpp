@@ -30,7 +30,8 @@ WarpedPatch patchAt(const cv::Mat& image, const Vec2& px) {
 std::vector<Vec2> corners(const cv::Mat& image) {
   std::vector<Vec2> pixels;
   for (const Vec2& px : test::gridPixels(test::smallCamera(), 12, 30)) {
-    if (cornerScore(image, static_cast<int>(px.x()), static_cast<int>(px.y())) > 8) pixels.push_back(px);
+    if (cornerScore(image, static_cast<int>(px.x()), static_cast<int>(px.y())) > 8)
+      pixels.push_back(px);
   }
   EXPECT_GT(pixels.size(), 30u);
   return pixels;
@@ -41,8 +42,8 @@ struct Errors {
   double worst = 0, sum = 0;
 };
 
-Errors alignEverywhere(const cv::Mat& ref, const cv::Mat& cur, const Vec2& shift, double start_error,
-                       const FeatureAlignmentParameters& p = {}) {
+Errors alignEverywhere(const cv::Mat& ref, const cv::Mat& cur, const Vec2& shift,
+                       double start_error, const FeatureAlignmentParameters& p = {}) {
   Errors e;
   for (const Vec2& px : corners(scene().render(SE3()))) {
     const Vec2 start = px + shift + start_error * Vec2(0.8, -0.6);
@@ -60,9 +61,10 @@ Errors alignEverywhere(const cv::Mat& ref, const cv::Mat& cur, const Vec2& shift
 TEST(FeatureAlignment, RecoversShifts) {
   const cv::Mat ref = scene().render(SE3());
   // Bilinear sampling smooths most half-way between pixels: a bias that no iteration removes.
-  for (const auto& [shift, limit] : {std::pair(Vec2(1, 0), 0.003), std::pair(Vec2(-0.85, 0.1), 0.02),
-                                     std::pair(Vec2(0.1, 0.15), 0.02), std::pair(Vec2(0.3, -0.2), 0.03),
-                                     std::pair(Vec2(0.5, 0.5), 0.04)}) {
+  for (const auto& [shift, limit] :
+       {std::pair(Vec2(1, 0), 0.003), std::pair(Vec2(-0.85, 0.1), 0.02),
+        std::pair(Vec2(0.1, 0.15), 0.02), std::pair(Vec2(0.3, -0.2), 0.03),
+        std::pair(Vec2(0.5, 0.5), 0.04)}) {
     const Errors e = alignEverywhere(ref, scene().render(shifted(shift)), shift, 0.6);
     EXPECT_EQ(e.converged, e.tried);
     EXPECT_LT(e.sum / e.converged, limit) << shift.transpose();
@@ -73,8 +75,10 @@ TEST(FeatureAlignment, RecoversShiftsWithAFixedGain) {
   FeatureAlignmentParameters fixed;
   fixed.estimate_gain = false;
   const cv::Mat ref = scene().render(SE3());
-  for (const auto& [shift, limit] : {std::pair(Vec2(0, 0), 0.015), std::pair(Vec2(-0.85, 0.1), 0.03)}) {
-    const Errors e = alignEverywhere(ref, scene().render(shifted(shift), {1, 20}), shift, 0.6, fixed);
+  for (const auto& [shift, limit] :
+       {std::pair(Vec2(0, 0), 0.015), std::pair(Vec2(-0.85, 0.1), 0.03)}) {
+    const Errors e =
+        alignEverywhere(ref, scene().render(shifted(shift), {1, 20}), shift, 0.6, fixed);
     EXPECT_EQ(e.converged, e.tried);
     EXPECT_LT(e.sum / e.converged, limit) << shift.transpose();
   }
@@ -83,7 +87,8 @@ TEST(FeatureAlignment, RecoversShiftsWithAFixedGain) {
 TEST(FeatureAlignment, GainAndOffsetChangeNothing) {
   const cv::Mat ref = scene().render(SE3(), {0.6, 10});
   const Vec2 shift(-0.85, 0.1);
-  const Errors e = alignEverywhere(ref, scene().render(shifted(shift), {0.6 * 1.3, 10 * 1.3 + 20}), shift, 0.6);
+  const Errors e =
+      alignEverywhere(ref, scene().render(shifted(shift), {0.6 * 1.3, 10 * 1.3 + 20}), shift, 0.6);
   EXPECT_EQ(e.converged, e.tried);
   EXPECT_LT(e.sum / e.converged, 0.025);
 }
@@ -144,7 +149,8 @@ TEST(FeatureAlignment, RefusesFlatPatches) {
 
 TEST(FeatureAlignment, RefusesAnEdgeInTwoDimensionsButNotAcross) {
   cv::Mat edge(100, 100, CV_8UC1);
-  for (int x = 0; x < 100; ++x) edge.col(x).setTo(cv::saturate_cast<std::uint8_t>(120 + 80 * std::tanh(0.5 * (x - 50))));
+  for (int x = 0; x < 100; ++x)
+    edge.col(x).setTo(cv::saturate_cast<std::uint8_t>(120 + 80 * std::tanh(0.5 * (x - 50))));
   EXPECT_FALSE(alignPatch2D(edge, patchAt(edge, {50, 50}), {50, 50}, {}).converged);
   EXPECT_TRUE(alignPatch1D(edge, patchAt(edge, {50, 50}), {50.5, 50}, {1, 0}, {}).converged);
   EXPECT_FALSE(alignPatch1D(edge, patchAt(edge, {50, 50}), {50, 50}, {0, 1}, {}).converged);
@@ -166,8 +172,8 @@ TEST(FeatureAlignment, RefusesStartsNearTheBorderAndNaN) {
   const cv::Mat ref = scene().render(SE3());
   const WarpedPatch patch = patchAt(ref, {160, 120});
   const double nan = std::nan("");
-  for (const Vec2& start : {Vec2(3.9, 100), Vec2(100, 3), Vec2(315.1, 100), Vec2(100, 236), Vec2(-50, -50),
-                           Vec2(1e9, 100), Vec2(nan, 100), Vec2(100, nan)})
+  for (const Vec2& start : {Vec2(3.9, 100), Vec2(100, 3), Vec2(315.1, 100), Vec2(100, 236),
+                            Vec2(-50, -50), Vec2(1e9, 100), Vec2(nan, 100), Vec2(100, nan)})
     EXPECT_FALSE(alignPatch2D(ref, patch, start, {}).converged) << start.transpose();
 }
 

@@ -24,7 +24,9 @@ TEST(AffineWarp, IsTheDerivativeOfTheWarpOfAFrontoParallelPlane) {
   for (const Vec2& px : {Vec2(160, 120), Vec2(40, 30), Vec2(290, 200)}) {
     const SE3 T = randomMotion(rng);
     const double distance = 2.3, z = camera.bearing(px).z() * distance;
-    const auto warp = [&](const Vec2& at) { return camera.project(T * (camera.unproject(at) * z)); };
+    const auto warp = [&](const Vec2& at) {
+      return camera.project(T * (camera.unproject(at) * z));
+    };
     Mat2 numeric;
     for (int k = 0; k < 2; ++k) {
       const Vec2 step = h * Vec2::Unit(k);
@@ -45,7 +47,8 @@ TEST(AffineWarp, NoMotionIsTheIdentity) {
 cv::Mat ramp(int size) {
   cv::Mat image(size, size, CV_8UC1);
   for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) image.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(10 + 2 * x + y);
+    for (int x = 0; x < size; ++x)
+      image.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(10 + 2 * x + y);
   return image;
 }
 

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <yaml-cpp/yaml.h>
 
 #include <set>
@@ -50,7 +49,8 @@ TEST(Parameters, SettingChangesTheFieldAndTheList) {
   EXPECT_FALSE(parameters.tracker.alignment.estimate_gain);
   EXPECT_EQ(parameters.tracker.mapping.search.search_sigmas, 2.5);
   int changed = 0;
-  for (const ParameterView& view : listParameters(parameters)) changed += view.value != view.default_value;
+  for (const ParameterView& view : listParameters(parameters))
+    changed += view.value != view.default_value;
   EXPECT_EQ(changed, 3);
 }
 
@@ -103,11 +103,14 @@ TEST(Parameters, YamlRoundTrip) {
 TEST(Parameters, YamlNamesEachGroupOnce) {
   const YAML::Node root = YAML::Load(parametersYaml({}, "svo"));
   std::set<std::string> names;
-  for (const auto& entry : root) EXPECT_TRUE(names.insert(entry.first.as<std::string>()).second) << entry.first;
+  for (const auto& entry : root)
+    EXPECT_TRUE(names.insert(entry.first.as<std::string>()).second) << entry.first;
   std::size_t values = 0;
   for (const ParameterView& view : listParameters({})) {
     const auto dot = view.key.find('.');
-    const YAML::Node value = dot == std::string::npos ? root[view.key] : root[view.key.substr(0, dot)][view.key.substr(dot + 1)];
+    const YAML::Node value = dot == std::string::npos
+                                 ? root[view.key]
+                                 : root[view.key.substr(0, dot)][view.key.substr(dot + 1)];
     EXPECT_TRUE(value.IsScalar()) << view.key;
     values += value.IsScalar();
   }
@@ -115,8 +118,10 @@ TEST(Parameters, YamlNamesEachGroupOnce) {
 }
 
 TEST(Parameters, EveryKeyIsInTheDocs) {
-  const std::string page = test::readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs/parameters.md");
-  for (const ParameterView& view : listParameters({})) EXPECT_NE(page.find("| `" + view.key + "` |"), std::string::npos) << view.key;
+  const std::string page =
+      test::readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs/parameters.md");
+  for (const ParameterView& view : listParameters({}))
+    EXPECT_NE(page.find("| `" + view.key + "` |"), std::string::npos) << view.key;
 }
 
 TEST(Parameters, FilesMaySetAFew) {

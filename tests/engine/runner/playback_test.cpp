@@ -77,7 +77,8 @@ TEST(Playback, RunsToKeyframeLossAndStart) {
 TEST(Playback, SpeedIsANumberNotBelowZero) {
   Playback p;
   EXPECT_EQ(p.speed(), 0);
-  for (const auto& [text, speed] : {std::pair("12.5", 12.5), {"-3", 0.0}, {"fast", 0.0}, {"", 0.0}, {"nan", 0.0}}) {
+  for (const auto& [text, speed] :
+       {std::pair("12.5", 12.5), {"-3", 0.0}, {"fast", 0.0}, {"", 0.0}, {"nan", 0.0}}) {
     p.handle({Kind::set_speed, -1, "", text});
     EXPECT_EQ(p.speed(), speed) << text;
   }

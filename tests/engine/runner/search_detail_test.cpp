@@ -69,10 +69,12 @@ TEST_F(SearchDetailTest, SnapshotsHoldEveryUpdateOfBothRules) {
     EXPECT_EQ(s->mapping->filter.rule, FilterRule::js);
     int successful = 0;
     for (const SeedUpdateView& u : *s->seed_updates) {
-      const bool measured = u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked;
+      const bool measured =
+          u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked;
       successful += measured;
-      for (const float v : {u.score, u.x, u.tau, u.kl_before.mu, u.kl_after.sigma, u.js_before.mu, u.js_after.sigma, u.jsd,
-                            u.affinity, u.kl_belief_measurement, u.kl_measurement_belief})
+      for (const float v :
+           {u.score, u.x, u.tau, u.kl_before.mu, u.kl_after.sigma, u.js_before.mu, u.js_after.sigma,
+            u.jsd, u.affinity, u.kl_belief_measurement, u.kl_measurement_belief})
         ASSERT_TRUE(std::isfinite(v));
       EXPECT_GE(u.jsd, 0);
       EXPECT_LE(u.jsd, static_cast<float>(kLog2) + 1e-6f);
@@ -99,7 +101,9 @@ TEST_F(SearchDetailTest, SnapshotsHoldEveryUpdateOfBothRules) {
     EXPECT_EQ(seed.sigma, seed.js.sigma);
     EXPECT_GT(seed.kl.sigma, 0);
     const auto update = last.find(seed.id);
-    if (update != last.end()) expectSameBelief(update->second.first.kl_after, seed.kl, update->second.second > last_keyframe);
+    if (update != last.end())
+      expectSameBelief(update->second.first.kl_after, seed.kl,
+                       update->second.second > last_keyframe);
   }
 }
 
@@ -130,7 +134,8 @@ TEST_F(SearchDetailTest, EqualsTheEnginesOwnSearch) {
       if (d.second >= 0) {
         EXPECT_GE(d.profile[static_cast<std::size_t>(d.second)].score, best.score);
       }
-      for (std::size_t k = 1; k < d.profile.size(); ++k) EXPECT_LE(d.profile[k - 1].inv_distance, d.profile[k].inv_distance);
+      for (std::size_t k = 1; k < d.profile.size(); ++k)
+        EXPECT_LE(d.profile[k - 1].inv_distance, d.profile[k].inv_distance);
     }
   }
   EXPECT_GT(explained, 100);

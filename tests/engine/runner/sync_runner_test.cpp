@@ -13,9 +13,11 @@ using Kind = Command::Kind;
 
 constexpr const char* kRoom = "synthetic:room?size=320x240&frames=50";
 
-std::unique_ptr<Runner> makeSync(const std::string& spec, RunnerOptions options = {}, std::set<int> unreadable = {}) {
+std::unique_ptr<Runner> makeSync(const std::string& spec, RunnerOptions options = {},
+                                 std::set<int> unreadable = {}) {
   options.threaded = false;
-  auto sequence = std::make_unique<test::ChangedSequence>(test::openBuiltIn(spec), nullptr, std::move(unreadable));
+  auto sequence = std::make_unique<test::ChangedSequence>(test::openBuiltIn(spec), nullptr,
+                                                          std::move(unreadable));
   return std::move(makeRunner(std::move(sequence), options).value());
 }
 

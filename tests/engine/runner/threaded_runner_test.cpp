@@ -16,8 +16,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kRoom = "synthetic:room?size=320x240&frames=50";
 
-std::unique_ptr<Runner> makeThreaded(const std::string& spec = kRoom, std::set<int> unreadable = {}) {
-  auto sequence = std::make_unique<test::ChangedSequence>(test::openBuiltIn(spec), nullptr, std::move(unreadable));
+std::unique_ptr<Runner> makeThreaded(const std::string& spec = kRoom,
+                                     std::set<int> unreadable = {}) {
+  auto sequence = std::make_unique<test::ChangedSequence>(test::openBuiltIn(spec), nullptr,
+                                                          std::move(unreadable));
   return std::move(makeRunner(std::move(sequence), {}).value());
 }
 

@@ -19,8 +19,9 @@ FrameRecord frame(int index, int map_id, bool good = true) {
 }
 
 TEST(Estimate, IsOfTheMapWithMostPoses) {
-  const std::vector<FrameRecord> records = {frame(0, 0, false), frame(1, 0), frame(2, 0), frame(3, 0, false),
-                                            frame(4, 1),        frame(5, 1), frame(6, 1), frame(7, 2)};
+  const std::vector<FrameRecord> records = {frame(0, 0, false), frame(1, 0), frame(2, 0),
+                                            frame(3, 0, false), frame(4, 1), frame(5, 1),
+                                            frame(6, 1),        frame(7, 2)};
   EXPECT_EQ(mainMap(records), 1);
   EXPECT_EQ(mapCount(records), 3);
   const Trajectory estimate = estimateOf(records);

@@ -61,8 +61,14 @@ TEST(DepthStudy, WritesFilesWithoutNan) {
     EXPECT_EQ(text.find("nan"), std::string::npos) << name;
     EXPECT_EQ(text.find("inf"), std::string::npos) << name;
   }
-  for (const char* name : {"depth_study.png", "lab.png"}) EXPECT_GT(std::filesystem::file_size(folder / name), 10000u);
-  EXPECT_EQ(test::readText(folder / "lab.csv").rfind("rule,median_updates,median_relative_error,wrong_at_recall_0.8,wrong_at_recall_0.6", 0), 0u);
+  for (const char* name : {"depth_study.png", "lab.png"})
+    EXPECT_GT(std::filesystem::file_size(folder / name), 10000u);
+  EXPECT_EQ(
+      test::readText(folder / "lab.csv")
+          .rfind(
+              "rule,median_updates,median_relative_error,wrong_at_recall_0.8,wrong_at_recall_0.6",
+              0),
+      0u);
 }
 
 TEST(DepthStudy, WithoutPosesIsAnInputError) {
@@ -79,7 +85,10 @@ TEST(DepthStudy, GroundTruthIsInterpolatedInTime) {
   const auto poses = groundTruthPoses(*sequence.value());
   ASSERT_EQ(static_cast<int>(poses.size()), sequence.value()->size());
   ASSERT_TRUE(poses[10]);
-  EXPECT_LT((poses[10]->translation() - sequence.value()->groundTruth()[10].T_world_cam.translation()).norm(), 1e-9);
+  EXPECT_LT(
+      (poses[10]->translation() - sequence.value()->groundTruth()[10].T_world_cam.translation())
+          .norm(),
+      1e-9);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ struct Expected {
 };
 
 // 4000 seeds each, one draw of the random numbers. Over 40 draws the wrong fractions scatter with a
-// standard deviation of 0.005 (both recalls); a difference of two draws by 3 * 0.005 * sqrt(2) = 0.021.
+// standard deviation of 0.005 (both recalls); a difference of two draws by 3 * 0.005 * sqrt(2) =
+// 0.021.
 constexpr Expected kTable[] = {{"KL", 17, 0.0040, 0.054, 0.027},
                                {"JS fuse only", 13, 0.0049, 0.077, 0.052},
                                {"JS weight only", 17, 0.0038, 0.035, 0.013},
@@ -27,7 +28,8 @@ TEST(Lab, ReproducesTheTableOfTheRules) {
     const LabRow& row = result.rows[static_cast<std::size_t>(i)];
     const Expected& e = kTable[i];
     EXPECT_EQ(row.rule, e.rule);
-    ASSERT_TRUE(row.median_updates && row.median_relative_error && row.wrong_at_80 && row.wrong_at_60);
+    ASSERT_TRUE(row.median_updates && row.median_relative_error && row.wrong_at_80 &&
+                row.wrong_at_60);
     EXPECT_NEAR(*row.median_updates, e.updates, 1);
     EXPECT_NEAR(*row.median_relative_error, e.error, 3e-4);
     EXPECT_NEAR(*row.wrong_at_80, e.wrong_80, 0.021);
@@ -44,7 +46,8 @@ TEST(Lab, IsDeterministic) {
   LabOptions o;
   o.seeds = 200;
   const LabResult a = runLab(o), b = runLab(o);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(a.rows[i].median_relative_error, b.rows[i].median_relative_error);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(a.rows[i].median_relative_error, b.rows[i].median_relative_error);
   o.random_seed = 1;
   EXPECT_NE(a.rows[0].median_relative_error, runLab(o).rows[0].median_relative_error);
 }
@@ -56,7 +59,8 @@ TEST(Lab, CurvesFall) {
     ASSERT_EQ(row.curve.size(), 60u);
     EXPECT_LT(row.curve.back().median_error, 0.1 * row.curve.front().median_error);
     EXPECT_GT(row.curve.back().converged, 0.9);
-    for (std::size_t i = 1; i < row.curve.size(); ++i) EXPECT_GE(row.curve[i].converged, row.curve[i - 1].converged);
+    for (std::size_t i = 1; i < row.curve.size(); ++i)
+      EXPECT_GE(row.curve[i].converged, row.curve[i - 1].converged);
   }
 }
 
@@ -69,7 +73,8 @@ TEST(Lab, ImpossiblePopulationsGiveNoFigures) {
     EXPECT_FALSE(row.median_updates);
     EXPECT_FALSE(row.wrong_at_80);
     EXPECT_TRUE(row.sweep.empty());
-    for (const LabCurvePoint& p : row.curve) EXPECT_TRUE(std::isfinite(p.median_error) && std::isfinite(p.median_sigma));
+    for (const LabCurvePoint& p : row.curve)
+      EXPECT_TRUE(std::isfinite(p.median_error) && std::isfinite(p.median_sigma));
   }
   o.seeds = 0;
   EXPECT_NE(o.check(), "");
@@ -77,8 +82,11 @@ TEST(Lab, ImpossiblePopulationsGiveNoFigures) {
 }
 
 TEST(GateSweep, CountsWhatPasses) {
-  const std::vector<SeedVerdict> seeds = {
-      {true, true, true, 0.9}, {true, true, false, 0.8}, {true, true, true, 0.7}, {false, true, false, 0.6}, {true, false, false, 0.95}};
+  const std::vector<SeedVerdict> seeds = {{true, true, true, 0.9},
+                                          {true, true, false, 0.8},
+                                          {true, true, true, 0.7},
+                                          {false, true, false, 0.6},
+                                          {true, false, false, 0.95}};
   const auto sweep = sweepGate(seeds);
   ASSERT_EQ(sweep.size(), 2u);
   EXPECT_DOUBLE_EQ(sweep[0].recall, 0.25);

@@ -61,8 +61,8 @@ struct World {
     for (int y = 0; y < c.height; ++y)
       for (int x = 0; x < c.width; ++x)
         image.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(
-            0.8 * grey(T_world_cam.translation(),
-                       T_world_cam.quaternion() * c.unproject({x, y})) + offset);
+            0.8 * grey(T_world_cam.translation(), T_world_cam.quaternion() * c.unproject({x, y})) +
+            offset);
     return image;
   }
 };
@@ -156,8 +156,7 @@ TEST(Initializer, RunsAreBitIdentical) {
   const InitializerOutput a = run(World{}, sideways, 25), b = run(World{}, sideways, 25);
   ASSERT_EQ(a.points.size(), b.points.size());
   EXPECT_EQ(a.T_cur_ref.matrix(), b.T_cur_ref.matrix());
-  for (std::size_t i = 0; i < a.points.size(); ++i)
-    EXPECT_EQ(a.points[i].p_ref, b.points[i].p_ref);
+  for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i].p_ref, b.points[i].p_ref);
 }
 
 TEST(Initializer, ParametersOutOfRangeAreNamed) {

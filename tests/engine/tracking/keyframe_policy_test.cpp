@@ -33,7 +33,9 @@ void expectTaken(const KeyframeEvidence& e, const std::string& reason) {
   EXPECT_THAT(d.reason, testing::HasSubstr(reason));
 }
 
-TEST(KeyframePolicy, TakesOneWhenLandmarksThinOutAndTheCameraMoved) { expectTaken(due(), "moved 60 px"); }
+TEST(KeyframePolicy, TakesOneWhenLandmarksThinOutAndTheCameraMoved) {
+  expectTaken(due(), "moved 60 px");
+}
 
 TEST(KeyframePolicy, NoneWhileLandmarksAreMany) {
   KeyframeEvidence e = due();

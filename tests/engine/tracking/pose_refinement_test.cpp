@@ -11,7 +11,8 @@ namespace svoscope {
 namespace {
 
 const SE3 kTruth(so3Exp(Vec3(0.1, -0.2, 0.05)), Vec3(0.3, -0.1, 0.2));
-const SE3 kStart = SE3::exp((Vec6() << 0.02, -0.015, 0.02, 0.005, 0.004, -0.006).finished()) * kTruth;
+const SE3 kStart =
+    SE3::exp((Vec6() << 0.02, -0.015, 0.02, 0.005, 0.004, -0.006).finished()) * kTruth;
 
 struct Scene {
   explicit Scene(int count, unsigned seed = 1) : rng(seed) {
@@ -23,13 +24,16 @@ struct Scene {
       observations.push_back(o);
     }
   }
-  double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(rng); }
+  double uniform(double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(rng);
+  }
   void addNoise(double sigma) {
     std::normal_distribution<double> n(0, sigma);
     for (PoseObservation& o : observations) o.px += Vec2(n(rng), n(rng));
   }
   void makeOutliers(double share) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(share * static_cast<double>(observations.size())); ++i)
+    for (std::size_t i = 0;
+         i < static_cast<std::size_t>(share * static_cast<double>(observations.size())); ++i)
       observations[i].px = Vec2(uniform(10, 310), uniform(10, 230));
   }
   /// Edgelets with gradient direction at `degrees`, displaced along the edge by `slide` px.
@@ -45,11 +49,14 @@ struct Scene {
   std::vector<PoseObservation> observations;
 };
 
-PoseRefinementResult refine(const Scene& s, const SE3& start = kStart, const PoseRefinementParameters& p = {}) {
+PoseRefinementResult refine(const Scene& s, const SE3& start = kStart,
+                            const PoseRefinementParameters& p = {}) {
   return refinePose(test::smallCamera(), s.observations, start, p);
 }
 
-double distance(const SE3& T) { return (T.inverse().translation() - kTruth.inverse().translation()).norm(); }
+double distance(const SE3& T) {
+  return (T.inverse().translation() - kTruth.inverse().translation()).norm();
+}
 
 TEST(PoseRefinement, IsExactWithoutNoise) {
   const PoseRefinementResult r = refine(Scene(60));
@@ -71,17 +78,20 @@ TEST(PoseRefinement, DoubtOfDepthLeavesTheErrorAcross) {
     o.depth_px = 2 * (camera.project(kTruth * wrong) - camera.project(kTruth * o.p_world));
     o.p_world = untold.observations[i].p_world = wrong;
   }
-  const double with = distance(refine(told).T_cam_world), without = distance(refine(untold).T_cam_world);
+  const double with = distance(refine(told).T_cam_world),
+               without = distance(refine(untold).T_cam_world);
   EXPECT_LT(with, 0.3 * without);
 }
 
 TEST(PoseRefinement, AnEdgeletWithUnknownDepthAcrossItsGradientSaysNothing) {
   Scene s(60);
   s.makeEdgelets(30, 0);
-  for (std::size_t i = 0; i < s.observations.size(); i += 2) s.observations[i].gradient_dir = Vec2(0.5, -0.866).normalized();
+  for (std::size_t i = 0; i < s.observations.size(); i += 2)
+    s.observations[i].gradient_dir = Vec2(0.5, -0.866).normalized();
   Scene moved = s;
   moved.observations[0].px += 30 * moved.observations[0].gradient_dir;
-  s.observations[0].depth_px = moved.observations[0].depth_px = 1e6 * s.observations[0].gradient_dir;
+  s.observations[0].depth_px = moved.observations[0].depth_px =
+      1e6 * s.observations[0].gradient_dir;
   EXPECT_LT((refine(s).T_cam_world.inverse() * refine(moved).T_cam_world).log().norm(), 1e-6);
 }
 
@@ -130,7 +140,8 @@ TEST(PoseRefinement, EndsInAMinimumOfTheRobustCost) {
   const double least = cost(s, r.T_cam_world, r.scale_px);
   for (int k = 0; k < 6; ++k) {
     for (const double h : {-1e-3, -1e-4, 1e-4, 1e-3})
-      EXPECT_LT(least, cost(s, SE3::exp(h * Vec6::Unit(k)) * r.T_cam_world, r.scale_px)) << k << ' ' << h;
+      EXPECT_LT(least, cost(s, SE3::exp(h * Vec6::Unit(k)) * r.T_cam_world, r.scale_px))
+          << k << ' ' << h;
   }
 }
 
@@ -140,7 +151,8 @@ TEST(PoseRefinement, EdgeletsConstrainAcrossTheEdgeOnly) {
     PoseObservation& o = s.observations[i];
     o.type = FeatureType::edgelet;
     o.gradient_dir = i % 2 ? Vec2::UnitX() : Vec2::UnitY();
-    o.px += (i % 3 - 1.0) * 5 * Vec2(-o.gradient_dir.y(), o.gradient_dir.x());  // slid along the edge
+    o.px +=
+        (i % 3 - 1.0) * 5 * Vec2(-o.gradient_dir.y(), o.gradient_dir.x());  // slid along the edge
   }
   const PoseRefinementResult r = refine(s);
   ASSERT_TRUE(r.ok);

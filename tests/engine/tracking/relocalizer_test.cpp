@@ -57,7 +57,8 @@ TEST(Thumbnail, BrightnessAndContrastDoNotMatter) {
 }
 
 TEST(Thumbnail, ABlankImageIsAllZero) {
-  const cv::Mat t = makeThumbnail(*buildPyramid(cv::Mat(240, 320, CV_8UC1, cv::Scalar(255)), kLevels));
+  const cv::Mat t =
+      makeThumbnail(*buildPyramid(cv::Mat(240, 320, CV_8UC1, cv::Scalar(255)), kLevels));
   EXPECT_EQ(cv::countNonZero(t != t), 0);  // no NaN
   EXPECT_NEAR(cv::norm(t), 0, 1e-6);
 }
@@ -76,8 +77,10 @@ TEST(Relocalizer, FindsTheKeyframeAndThePose) {
 
 TEST(Relocalizer, TurnedViewsStartFromTheShiftOfTheThumbnails) {
   const Wall wall;
-  for (const Vec3& omega : {Vec3(0, 0.07, 0), Vec3(0, -0.07, 0), Vec3(0.06, 0, 0), Vec3(-0.05, 0.05, 0)}) {
-    const SE3 T = SE3(so3Exp(omega), Vec3::Zero()) * wall.map.keyframes.at(1).T_cam_world;  // 20 px and more
+  for (const Vec3& omega :
+       {Vec3(0, 0.07, 0), Vec3(0, -0.07, 0), Vec3(0.06, 0, 0), Vec3(-0.05, 0.05, 0)}) {
+    const SE3 T =
+        SE3(so3Exp(omega), Vec3::Zero()) * wall.map.keyframes.at(1).T_cam_world;  // 20 px and more
     const auto found = wall.candidates(T);
     ASSERT_FALSE(found.empty()) << omega.transpose();
     EXPECT_EQ(found.front().keyframe_id, 1);

@@ -21,14 +21,16 @@ struct SegmentPoseTest : testing::Test {
     for (int i = 0; i < 25; ++i) {
       SegmentPoseObservation o;
       for (Vec3& p : o.p_world) p = Vec3(1.2 * u(rng), 0.9 * u(rng), 3 + 1.5 * u(rng));
-      o.line = lineThrough(camera.project(T_true * o.p_world[0]), camera.project(T_true * o.p_world[1]));
+      o.line =
+          lineThrough(camera.project(T_true * o.p_world[0]), camera.project(T_true * o.p_world[1]));
       lines.push_back(o);
     }
   }
 };
 
 TEST_F(SegmentPoseTest, GradientAgreesWithFiniteDifferences) {
-  const SE3 T = SE3::exp((Vec6() << 0.004, -0.003, 0.005, 0.001, -0.002, 0.003).finished()) * T_true;
+  const SE3 T =
+      SE3::exp((Vec6() << 0.004, -0.003, 0.005, 0.001, -0.002, 0.003).finished()) * T_true;
   // A wide scale leaves the weights near one: b is then minus half the gradient of the cost.
   constexpr double kScale = 1e4;
   Mat6 H = Mat6::Zero();
@@ -51,7 +53,8 @@ TEST_F(SegmentPoseTest, GradientAgreesWithFiniteDifferences) {
 
 TEST_F(SegmentPoseTest, LinesAloneFixThePoseDespiteOutliers) {
   for (int i = 0; i < 5; ++i) lines[static_cast<std::size_t>(i)].line.offset += 6 + i;
-  const SE3 start = SE3::exp((Vec6() << 0.01, -0.01, 0.01, 0.004, -0.004, 0.004).finished()) * T_true;
+  const SE3 start =
+      SE3::exp((Vec6() << 0.01, -0.01, 0.01, 0.004, -0.004, 0.004).finished()) * T_true;
   const PoseRefinementResult r = refinePose(camera, {}, start, {}, lines, {});
   ASSERT_TRUE(r.ok);
   EXPECT_EQ(r.segment_inliers, 20);

@@ -13,7 +13,7 @@ namespace svoscope {
 namespace {
 
 struct Figures {
-  int frames = 0, tracked = 0;   ///< since the start
+  int frames = 0, tracked = 0;  ///< since the start
   double mean_segments = 0;
   std::size_t landmarks = 0;
   int keyframes = 0;
@@ -30,7 +30,8 @@ Figures run(const std::string& spec, bool segments) {
     const auto image = sequence.value()->read(i);
     EXPECT_TRUE(image.ok());
     tracker.process(i, image.value().timestamp, image.value().gray);
-    if (auto job = tracker.takeMappingJob()) tracker.applyMapping(runMappingJob(*job, parameters.mapping));
+    if (auto job = tracker.takeMappingJob())
+      tracker.applyMapping(runMappingJob(*job, parameters.mapping));
     const FrameRecord& r = tracker.record();
     f.frames += f.frames > 0 || r.pose_good;
     f.tracked += r.pose_good;
@@ -52,7 +53,9 @@ TEST_P(SegmentTracking, SegmentsAreFollowedAndBecomeLandmarks) {
   EXPECT_GT(f.mean_segments, 0.5);  // few at first: their depth is known late
   EXPECT_GT(f.landmarks, 2u);
 }
-INSTANTIATE_TEST_SUITE_P(Presets, SegmentTracking, testing::Values("synthetic:corridor?frames=70&size=320x240", "synthetic:room?frames=60"));
+INSTANTIATE_TEST_SUITE_P(Presets, SegmentTracking,
+                         testing::Values("synthetic:corridor?frames=70&size=320x240",
+                                         "synthetic:room?frames=60"));
 
 TEST(SegmentTracking, MethodSvoHasNone) {
   const Figures f = run("synthetic:corridor?frames=40&size=320x240", false);
@@ -68,12 +71,14 @@ TEST(SegmentTracking, RemovingKeyframesKeepsTheMapConsistent) {
   Tracker tracker(sequence.value()->camera().pinhole, parameters);
   for (int i = 0; i < sequence.value()->size(); ++i) {
     tracker.process(i, i / 30.0, sequence.value()->read(i).value().gray);
-    if (auto job = tracker.takeMappingJob()) tracker.applyMapping(runMappingJob(*job, parameters.mapping));
+    if (auto job = tracker.takeMappingJob())
+      tracker.applyMapping(runMappingJob(*job, parameters.mapping));
     for (const auto& [id, k] : tracker.map().keyframes) {
       for (const std::int64_t s : k.segments) ASSERT_TRUE(tracker.map().segments.count(s));
     }
     for (const auto& [id, s] : tracker.map().segments) {
-      for (const SegmentView& v : s.views) ASSERT_TRUE(tracker.map().keyframes.count(v.keyframe_id));
+      for (const SegmentView& v : s.views)
+        ASSERT_TRUE(tracker.map().keyframes.count(v.keyframe_id));
     }
   }
 }
@@ -83,7 +88,9 @@ TEST(MakeRunner, KnowsTheThreeMethods) {
     RunnerOptions options;
     options.method = method;
     options.threaded = false;
-    EXPECT_TRUE(makeRunner(openSyntheticSequence("synthetic:room?frames=5&size=160x120").value(), options).ok());
+    EXPECT_TRUE(
+        makeRunner(openSyntheticSequence("synthetic:room?frames=5&size=160x120").value(), options)
+            .ok());
   }
   RunnerOptions options;
   options.method = "lines";

@@ -17,7 +17,8 @@ test::PlaneScene scene() { return {test::smallCamera(), Vec3(0.3, -0.2, 1), 2, 0
 
 std::vector<AlignmentPatch> patchesOf(const test::PlaneScene& s, int step = 24) {
   std::vector<AlignmentPatch> patches;
-  for (const Vec2& px : test::gridPixels(s.camera(), step, 30)) patches.push_back({px, s.point(SE3(), px)});
+  for (const Vec2& px : test::gridPixels(s.camera(), step, 30))
+    patches.push_back({px, s.point(SE3(), px)});
   return patches;
 }
 
@@ -40,7 +41,8 @@ TEST(PixelTwistJacobian, AgreesWithFiniteDifferences) {
     Mat26 numeric;
     for (int k = 0; k < 6; ++k) {
       const Vec6 step = h * Vec6::Unit(k);
-      numeric.col(k) = (camera.project(SE3::exp(step) * p) - camera.project(SE3::exp(-step) * p)) / (2 * h);
+      numeric.col(k) =
+          (camera.project(SE3::exp(step) * p) - camera.project(SE3::exp(-step) * p)) / (2 * h);
     }
     EXPECT_LT((pixelTwistJacobian(camera, p) - numeric).norm(), 1e-5 * numeric.norm());
   }
@@ -48,7 +50,8 @@ TEST(PixelTwistJacobian, AgreesWithFiniteDifferences) {
 
 TEST(SparseAlignment, RecoversAKnownMotion) {
   const test::PlaneScene s = scene();
-  const auto r = alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s), SE3(), fine());
+  const auto r = alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s),
+                             SE3(), fine());
   expectMotion(r, kMotion, 0.03, 0.001);
   EXPECT_NEAR(r.gain, 1, 0.01);
   EXPECT_NEAR(r.offset, 0, 1);
@@ -59,7 +62,8 @@ TEST(SparseAlignment, CoarseLevelsAloneComeClose) {
   const test::PlaneScene s = scene();
   SparseAlignmentParameters p;
   p.max_level = 3;
-  const auto r = alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s), SE3(), p);
+  const auto r =
+      alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s), SE3(), p);
   expectMotion(r, kMotion, 0.2, 0.01);
 }
 
@@ -73,10 +77,12 @@ TEST(SparseAlignment, GainOffsetAndOutliersAreBorne) {
   const cv::Mat wrong = other.render(SE3(), bright);
   for (std::size_t i = 0; i < patches.size(); i += 5) {
     const Vec2 px = s.camera().project(kMotion * patches[i].p_ref);
-    const cv::Rect at = cv::Rect(int(px.x()) - 10, int(px.y()) - 10, 21, 21) & cv::Rect(0, 0, 320, 240);
+    const cv::Rect at =
+        cv::Rect(int(px.x()) - 10, int(px.y()) - 10, 21, 21) & cv::Rect(0, 0, 320, 240);
     wrong(at).copyTo(cur(at));
   }
-  const auto r = alignSparse(*s.pyramid(SE3(), 4, dim), *buildPyramid(cur, 4), s.camera(), patches, SE3(), fine());
+  const auto r = alignSparse(*s.pyramid(SE3(), 4, dim), *buildPyramid(cur, 4), s.camera(), patches,
+                             SE3(), fine());
   expectMotion(r, kMotion, 0.1, 0.004);
   EXPECT_NEAR(r.gain, 1.3, 0.04);
   EXPECT_NEAR(r.offset, 15, 4);
@@ -94,7 +100,8 @@ TEST(SparseAlignment, AFixedGainStaysOne) {
   const test::PlaneScene s = scene();
   SparseAlignmentParameters p = fine();
   p.estimate_gain = false;
-  const auto r = alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s), SE3(), p);
+  const auto r =
+      alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s), SE3(), p);
   expectMotion(r, kMotion, 0.03, 0.001);
   EXPECT_EQ(r.gain, 1);
   EXPECT_EQ(r.offset, 0);
@@ -119,7 +126,8 @@ TEST(SparseAlignment, BlankImagesYieldNoNonsense) {
   const PyramidPtr image = s.pyramid(SE3(), 4);
   for (const int grey : {0, 255}) {
     const PyramidPtr blank = buildPyramid(cv::Mat(240, 320, CV_8UC1, cv::Scalar(grey)), 4);
-    for (const auto& [a, b] : {std::pair(image, blank), std::pair(blank, image), std::pair(blank, blank)}) {
+    for (const auto& [a, b] :
+         {std::pair(image, blank), std::pair(blank, image), std::pair(blank, blank)}) {
       const auto r = alignSparse(*a, *b, s.camera(), patchesOf(s), SE3(), fine());
       EXPECT_TRUE(r.T_cur_ref.finite());
       EXPECT_TRUE(std::isfinite(r.gain) && std::isfinite(r.offset) && std::isfinite(r.rmse));
@@ -131,7 +139,8 @@ TEST(SparseAlignment, UsesNoMorePatchesThanAllowed) {
   const test::PlaneScene s = scene();
   SparseAlignmentParameters p = fine();
   p.max_patches = 40;
-  const auto r = alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(), patchesOf(s, 12), SE3(), p);
+  const auto r = alignSparse(*s.pyramid(SE3(), 4), *s.pyramid(kMotion, 4), s.camera(),
+                             patchesOf(s, 12), SE3(), p);
   expectMotion(r, kMotion, 0.1, 0.004);
   EXPECT_LE(r.patches, 40);
 }
@@ -140,7 +149,9 @@ TEST(PhotometricError, IsLowestAtTheTrueMotion) {
   const test::PlaneScene s = scene();
   const auto patches = patchesOf(s);
   const PyramidPtr a = s.pyramid(SE3(), 4), b = s.pyramid(kMotion, 4, {1.1, 5});
-  const auto error = [&](const SE3& T) { return photometricError(*a, *b, s.camera(), patches, T, 2); };
+  const auto error = [&](const SE3& T) {
+    return photometricError(*a, *b, s.camera(), patches, T, 2);
+  };
   EXPECT_LT(error(kMotion), 0.2 * error(SE3()));
   EXPECT_LT(error(kMotion), error(kMotion * kMotion));
   const SE3 away(so3Exp(Vec3(0, 1.2, 0)), Vec3::Zero());

@@ -22,13 +22,15 @@ struct TrackedRun {
   int first_pose = -1;
 
   int count(EventKind kind) const {
-    return static_cast<int>(std::count_if(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; }));
+    return static_cast<int>(std::count_if(events.begin(), events.end(),
+                                          [&](const Event& e) { return e.kind == kind; }));
   }
   int good() const { return static_cast<int>(estimate.size()); }
   double pathLength() const {
     double length = 0;
     for (std::size_t i = static_cast<std::size_t>(first_pose) + 1; i < truth.size(); ++i)
-      length += (truth[i].T_world_cam.translation() - truth[i - 1].T_world_cam.translation()).norm();
+      length +=
+          (truth[i].T_world_cam.translation() - truth[i - 1].T_world_cam.translation()).norm();
     return length;
   }
   /// RMSE over the path since the start, after the best similarity.
@@ -56,7 +58,8 @@ TrackedRun track(Tracker& tracker, Sequence& sequence) {
   return run;
 }
 
-TrackedRun trackText(const std::string& spec, const test::ChangedSequence::Change& change = nullptr) {
+TrackedRun trackText(const std::string& spec,
+                     const test::ChangedSequence::Change& change = nullptr) {
   test::ChangedSequence sequence(test::openBuiltIn(spec), change);
   Tracker tracker(sequence.camera().pinhole, {});
   return track(tracker, sequence);
@@ -72,7 +75,9 @@ void expectTracked(const TrackedRun& run, int frames) {
 }
 
 TEST(Tracker, FollowsTheRoom) { expectTracked(trackText(kRoom), 60); }
-TEST(Tracker, FollowsTheDesk) { expectTracked(trackText("synthetic:desk?size=320x240&frames=60"), 60); }
+TEST(Tracker, FollowsTheDesk) {
+  expectTracked(trackText("synthetic:desk?size=320x240&frames=60"), 60);
+}
 
 TEST(Tracker, RecordsExplainEveryFrame) {
   const TrackedRun run = trackText(kRoom);
@@ -108,7 +113,9 @@ TEST(Tracker, RecoversFromABlackoutWithTheSameScale) {
 }
 
 TEST(Tracker, OneWhiteImageIsALossOfOneFrame) {
-  const TrackedRun run = trackText(kRoom, [](int i, cv::Mat& gray) { if (i == 50) gray.setTo(255); });
+  const TrackedRun run = trackText(kRoom, [](int i, cv::Mat& gray) {
+    if (i == 50) gray.setTo(255);
+  });
   ASSERT_GE(run.first_pose, 0);
   ASSERT_LT(run.first_pose, 48);
   EXPECT_FALSE(run.records[50].pose_good);
@@ -151,13 +158,16 @@ struct SceneCut {
   int cut;
   explicit SceneCut(int at)
       : room(test::openBuiltIn("synthetic:room?size=320x240&frames=120")),
-        desk(test::openBuiltIn("synthetic:desk?size=320x240&frames=160")), cut(at) {}
-  SequenceImage image(int i) const { return i < cut ? room->read(i).value() : desk->read(i - cut).value(); }
+        desk(test::openBuiltIn("synthetic:desk?size=320x240&frames=160")),
+        cut(at) {}
+  SequenceImage image(int i) const {
+    return i < cut ? room->read(i).value() : desk->read(i - cut).value();
+  }
 };
 
 TEST(Tracker, AnOldMapsAnswersDoNotReachTheNewMap) {
-  // Identifiers must not return: a mapping answer, or whatever is kept by keyframe, may still speak of the
-  // old map.
+  // Identifiers must not return: a mapping answer, or whatever is kept by keyframe, may still speak
+  // of the old map.
   const SceneCut scene(30);
   TrackerParameters p;
   p.quality.fresh_lost_frames = p.quality.lost_frames = 2;
@@ -169,7 +179,8 @@ TEST(Tracker, AnOldMapsAnswersDoNotReachTheNewMap) {
     for (const Event& e : tracker.events()) starts += e.kind == EventKind::initialized;
     if (starts == 2) break;
     for (const auto& [id, keyframe] : tracker.map().keyframes) newest = std::max(newest, id);
-    for (const auto& [id, landmark] : tracker.map().landmarks) newest_point = std::max(newest_point, id);
+    for (const auto& [id, landmark] : tracker.map().landmarks)
+      newest_point = std::max(newest_point, id);
   }
   ASSERT_EQ(starts, 2);
   ASSERT_GE(newest, 1);
@@ -187,7 +198,8 @@ TEST(Tracker, AnUnknownSceneIsALossAndGetsAMapOfItsOwn) {
   for (int i = 0; i < 200; ++i) {
     const SequenceImage image = scene.image(i);
     tracker.process(i, i / 30.0, image.gray);
-    if (const auto job = tracker.takeMappingJob()) tracker.applyMapping(runMappingJob(*job, p.mapping));
+    if (const auto job = tracker.takeMappingJob())
+      tracker.applyMapping(runMappingJob(*job, p.mapping));
     records.push_back(tracker.record());
     for (const Event& e : tracker.events()) {
       if (e.kind != EventKind::keyframe) told.push_back(e.kind);
@@ -212,7 +224,8 @@ TEST(Tracker, AnUnknownSceneIsALossAndGetsAMapOfItsOwn) {
 
 TEST(Tracker, TheOldMapIsKeptUntilAnotherHasBegun) {
   // Lost for longer than the patience with the map, in the dark: nothing else starts there.
-  const TrackedRun run = trackText("synthetic:room?size=320x240&frames=150&speed=0.4&blackout=50:80");
+  const TrackedRun run =
+      trackText("synthetic:room?size=320x240&frames=150&speed=0.4&blackout=50:80");
   ASSERT_GE(run.first_pose, 0);
   ASSERT_LT(run.first_pose, 50);
   EXPECT_EQ(run.count(EventKind::reset), 0);
@@ -240,10 +253,13 @@ TEST(Tracker, OneAdjustmentAtATime) {
       keyframes_meanwhile += tracker.record().is_keyframe;
       continue;
     }
-    if (held && tracker.map().keyframes.size() > 2 && !job->adjustment.empty()) next = job->adjustment.newest;
+    if (held && tracker.map().keyframes.size() > 2 && !job->adjustment.empty())
+      next = job->adjustment.newest;
     MappingResult result = runMappingJob(*job, p.mapping);
-    if (!held && !job->adjustment.empty()) held = std::move(result);
-    else tracker.applyMapping(std::move(result));
+    if (!held && !job->adjustment.empty())
+      held = std::move(result);
+    else
+      tracker.applyMapping(std::move(result));
     if (held && keyframes_meanwhile == 2) tracker.applyMapping(*held);
   }
   EXPECT_EQ(keyframes_meanwhile, 2);
@@ -251,7 +267,8 @@ TEST(Tracker, OneAdjustmentAtATime) {
 }
 
 TEST(Tracker, StandingSaysNothingAboutDepth) {
-  test::ChangedSequence sequence(test::openBuiltIn("synthetic:room?size=320x240&frames=60&noise=2"), nullptr);
+  test::ChangedSequence sequence(test::openBuiltIn("synthetic:room?size=320x240&frames=60&noise=2"),
+                                 nullptr);
   Tracker tracker(sequence.camera().pinhole, {});
   const TrackedRun run = track(tracker, sequence);
   ASSERT_TRUE(run.records.back().pose_good);
@@ -286,7 +303,8 @@ TEST(Tracker, TheMapKeepsItsKeyframeLimitAndItsOrder) {
   }
   for (const auto& [id, landmark] : tracker.map().landmarks) {
     EXPECT_GE(landmark.observations.size(), 2u);
-    for (const LandmarkObservation& o : landmark.observations) EXPECT_TRUE(tracker.map().keyframes.count(o.keyframe_id));
+    for (const LandmarkObservation& o : landmark.observations)
+      EXPECT_TRUE(tracker.map().keyframes.count(o.keyframe_id));
   }
 }
 

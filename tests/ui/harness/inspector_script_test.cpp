@@ -71,8 +71,7 @@ TEST_P(InspectorScript, SelectsByAClickOnTheImage) {
   const SnapshotPtr latest = runner.latest();
   for (const FeatureView& feature : latest->features) {
     if (feature.status != FeatureStatus::inlier || feature.type != FeatureType::corner) continue;
-    const std::string place =
-        std::to_string(feature.px.x()) + " " + std::to_string(feature.px.y());
+    const std::string place = std::to_string(feature.px.x()) + " " + std::to_string(feature.px.y());
     EXPECT_EQ(run("select at " + place + "\nexpect selected.kind != none\n"), "");
     return;
   }

@@ -55,7 +55,8 @@ TEST(Script, HelpListsEveryCommand) {
 }
 
 TEST(Script, PicturesArePng) {
-  EXPECT_THAT(errorOf("step\nshot a.jpg\n"), HasSubstr("demo.script:2: 'a.jpg' does not end in .png"));
+  EXPECT_THAT(errorOf("step\nshot a.jpg\n"),
+              HasSubstr("demo.script:2: 'a.jpg' does not end in .png"));
   EXPECT_EQ(errorOf("shot a\nshot sub/a.png Image\n"), "");
 }
 

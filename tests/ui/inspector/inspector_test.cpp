@@ -246,7 +246,8 @@ TEST_F(InspectorTest, SurvivesEmptyAndOddSituations) {
     open(options, 320, 240, 2);
     for (const int frames_done : {0, 1, 14, 145}) {
       runner_->runTo(frames_done);
-      for (const SurfaceSize size : {SurfaceSize{320, 240}, SurfaceSize{1, 1}, SurfaceSize{900, 500}}) {
+      for (const SurfaceSize size :
+           {SurfaceSize{320, 240}, SurfaceSize{1, 1}, SurfaceSize{900, 500}}) {
         host_->resize(size);
         for (const std::string& panel : panelNames()) {
           state().maximized = panel;

@@ -47,13 +47,15 @@ TEST_F(PanelText, ALostFrameShowsNoMeasurementsItDoesNotHave) {
   Inspector inspector(runner, host_->graphics());
   inspector.state().plot_groups = {"Features"};
   for (const DrawnText& t : shown(inspector, "Funnel")) {
-    for (const char* made_up : {"0 inliers", "0.00 px", "0 patches", "gain 1.000", "0 landmarks, 0 seeds"}) {
+    for (const char* made_up :
+         {"0 inliers", "0.00 px", "0 patches", "gain 1.000", "0 landmarks, 0 seeds"}) {
       if (t.text == "0 landmarks, 0 seeds, 3 keyframes") continue;  // of the map: a count
       EXPECT_EQ(t.text.find(made_up), std::string::npos) << t.text;
     }
   }
   EXPECT_EQ(countOf(shown(inspector, "Funnel"), "–"), 6);
-  EXPECT_EQ(countOf(shown(inspector, "Plots"), "lost below"), 1) << "the threshold outlives the loss";
+  EXPECT_EQ(countOf(shown(inspector, "Plots"), "lost below"), 1)
+      << "the threshold outlives the loss";
 }
 
 TEST_F(PanelText, FramesThatWereMeasuredShowIt) {
@@ -140,7 +142,8 @@ class SegmentSeeds : public PanelText {
   void SetUp() override {
     open();
     auto snapshot = std::make_shared<Snapshot>(*test::fakeSnapshot(test::fakeRecords(3)[2]));
-    std::vector<SeedView> seeds{seedOf(7, FeatureType::segment, 50), seedOf(8, FeatureType::corner, 0),
+    std::vector<SeedView> seeds{seedOf(7, FeatureType::segment, 50),
+                                seedOf(8, FeatureType::corner, 0),
                                 seedOf(9, FeatureType::corner, 3)};
     seeds[0].outcome = SearchOutcome::matched;
     seeds[2].status = SeedStatus::converged;
@@ -188,7 +191,8 @@ TEST_F(SegmentSeeds, ShowNoChartsWithMadeUpAxes) {
     inspector->state().selection = {Selection::Kind::seed, id};
     for (const char* panel : {"Seed", "Epipolar search"}) {
       shown(*inspector, panel);
-      for (const char* chart : {"Belief density", "Belief history", "Sigma history", "Score profile", "update"}) {
+      for (const char* chart :
+           {"Belief density", "Belief history", "Sigma history", "Score profile", "update"}) {
         EXPECT_FALSE(Probe::find(chart)) << panel << ", " << chart;
       }
     }
@@ -210,7 +214,8 @@ TEST(SearchText, TheBestSampleIsNotAcceptedWhereThereIsNoMatch) {
   EXPECT_EQ(bestSampleText(d), "best, above the limit");
   d.max_score = 2000;
   d.outcome = SearchOutcome::low_parallax;
-  EXPECT_EQ(bestSampleText(d), std::string("best, ") + searchOutcomeName(SearchOutcome::low_parallax));
+  EXPECT_EQ(bestSampleText(d),
+            std::string("best, ") + searchOutcomeName(SearchOutcome::low_parallax));
 }
 
 TEST_F(PanelText, ExportStaysWhereTabsNeedTheRoom) {

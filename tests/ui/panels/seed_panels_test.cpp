@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The panels of the depth filter: what they show equals the snapshot, stepping, brushing, degenerate
-// seeds, empty states, and a lab that ends with the window.
+// The panels of the depth filter: what they show equals the snapshot, stepping, brushing,
+// degenerate seeds, empty states, and a lab that ends with the window.
 #include <atomic>
 #include <cmath>
 #include <fstream>
@@ -60,7 +60,8 @@ TEST_F(SeedPanels, ShowTheNumbersOfTheSnapshot) {
   ASSERT_GE(facts.size(), 5u);
   EXPECT_EQ(facts[0].kl, format("%.5f → %.5f", shown.kl_before.mu, seed.kl.mu));
   EXPECT_EQ(facts[1].js, format("%.5f → %.5f", shown.js_before.sigma, seed.js.sigma));
-  EXPECT_EQ(facts[4].kl, format("%.3f → %.3f", inlierRatio(shown.kl_before), seed.kl.a / (seed.kl.a + seed.kl.b)));
+  EXPECT_EQ(facts[4].kl, format("%.3f → %.3f", inlierRatio(shown.kl_before),
+                                seed.kl.a / (seed.kl.a + seed.kl.b)));
 }
 
 TEST_F(SeedPanels, StepThroughUpdatesByButtonKeyAndChart) {
@@ -204,7 +205,8 @@ TEST(FilterStats, CalibratedGaussiansLieOnTheDiagonal) {
   for (int i = 0; i < 2000; ++i) {  // quantiles of a Gaussian, by bisection of its cumulative
     const double q = (i + 0.5) / 2000;
     double lo = -6, hi = 6;
-    for (int k = 0; k < 60; ++k) (std::erf((lo + hi) / 2 / M_SQRT2) / 2 + 0.5 < q ? lo : hi) = (lo + hi) / 2;
+    for (int k = 0; k < 60; ++k)
+      (std::erf((lo + hi) / 2 / M_SQRT2) / 2 + 0.5 < q ? lo : hi) = (lo + hi) / 2;
     UpdatePoint p;
     p.true_inv_distance = 0.5f;
     p.mu[0] = p.mu[1] = static_cast<float>(1 + 0.01 * lo);
@@ -216,13 +218,16 @@ TEST(FilterStats, CalibratedGaussiansLieOnTheDiagonal) {
   EXPECT_EQ(k.count, 2000);
   EXPECT_NEAR(k.median_nees[0], 0.455, 0.01);
   EXPECT_NEAR(k.median_nees[1], 4 * 0.455, 0.04);
-  for (std::size_t i = 0; i < k.expected.size(); ++i) EXPECT_NEAR(k.share[0][i], k.expected[i], 0.01);
+  for (std::size_t i = 0; i < k.expected.size(); ++i)
+    EXPECT_NEAR(k.share[0][i], k.expected[i], 0.01);
   EXPECT_EQ(calibrate(points, 0).count, 0) << "no scale, no truth";
 }
 
 TEST(Bins, QuantilesAndEnds) {
   Bins bins(1e-3, 1e3, 60, true);
-  for (const double v : {0.0, 1e-9, 1.0, 1e30, static_cast<double>(INFINITY), static_cast<double>(NAN)}) bins.add(v);
+  for (const double v :
+       {0.0, 1e-9, 1.0, 1e30, static_cast<double>(INFINITY), static_cast<double>(NAN)})
+    bins.add(v);
   EXPECT_EQ(bins.total(), 5);
   EXPECT_NEAR(std::log10(bins.quantile(0.5)), 0, 0.15);
   bins.clear();
@@ -230,7 +235,8 @@ TEST(Bins, QuantilesAndEnds) {
 }
 
 TEST(Densities, DegenerateParametersGiveNothing) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
   for (const double sigma : {0.0, -1.0, nan, inf}) {
     EXPECT_TRUE(gaussianCurve(1, sigma, {0, 2}).x.empty());
     EXPECT_TRUE(gaussianAsDistance(1, sigma, {0.5, 2}).x.empty());
@@ -268,8 +274,13 @@ SeedUpdateView badUpdate(const BeliefView& bad) {
 }
 
 std::vector<BeliefView> badBeliefs() {
-  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-  return {{1, 0, 10, 10}, {nan, nan, nan, nan}, {inf, inf, 1e30f, 1e30f}, {-1, 1e-30f, 0, 0}, {0, 1e30f, 1e8f, 1}};
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              inf = std::numeric_limits<float>::infinity();
+  return {{1, 0, 10, 10},
+          {nan, nan, nan, nan},
+          {inf, inf, 1e30f, 1e30f},
+          {-1, 1e-30f, 0, 0},
+          {0, 1e30f, 1e8f, 1}};
 }
 
 class DegenerateSeeds : public SeedPanels {};
@@ -290,7 +301,8 @@ TEST_F(DegenerateSeeds, DrawNothingWrongInAnyPanel) {
       seed.updates = 2;
       seed.true_inv_distance = 0.5f;
       snapshot->seeds = std::make_shared<const std::vector<SeedView>>(3, seed);
-      snapshot->seed_updates = std::make_shared<const std::vector<SeedUpdateView>>(3, badUpdate(bad));
+      snapshot->seed_updates =
+          std::make_shared<const std::vector<SeedUpdateView>>(3, badUpdate(bad));
       runner.last_ = snapshot;
       Command play;
       play.kind = Command::Kind::play;
@@ -301,8 +313,10 @@ TEST_F(DegenerateSeeds, DrawNothingWrongInAnyPanel) {
       inspector.state().selection = {Selection::Kind::seed, 7};
       inspector.state().seed.pinned = {7};
       inspector.state().image.seed_color = SeedColorBy::disagreement;
-      for (const char* panel : {"Seed", "Epipolar search", "KL / JS", "3-D", "Image", "Selection"}) {
-        if (!hasPanel(inspector.state().layout.root, panel)) showPanel(inspector.state().layout.root, panel);
+      for (const char* panel :
+           {"Seed", "Epipolar search", "KL / JS", "3-D", "Image", "Selection"}) {
+        if (!hasPanel(inspector.state().layout.root, panel))
+          showPanel(inspector.state().layout.root, panel);
         inspector.state().maximized = panel;
         for (const bool distance : {false, true}) {
           inspector.state().seed.distance = distance;
@@ -323,7 +337,8 @@ TEST_F(DegenerateSeeds, SayNoNaN) {
     trace.published = {1, 2};
     const TraceColumns columns = traceColumns(trace);
     EXPECT_EQ(columns.step.size(), 2u);
-    for (const SeedFact& f : seedFacts(u, 0.5)) EXPECT_EQ(f.kl.find("nan"), std::string::npos) << f.name << ": " << f.kl;
+    for (const SeedFact& f : seedFacts(u, 0.5))
+      EXPECT_EQ(f.kl.find("nan"), std::string::npos) << f.name << ": " << f.kl;
   }
 }
 
@@ -342,7 +357,8 @@ TEST(LabWorker, JoinsOnDestructionAndKeepsTheNewest) {
     worker.start(options);
     options.seeds = 1600;
     worker.start(options);
-    for (int i = 0; i < 400 && worker.state().running; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 400 && worker.state().running; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     ASSERT_TRUE(worker.state().result);
     EXPECT_EQ(worker.state().result->options.seeds, 1600);
     EXPECT_EQ(worker.state().progress, 1);

@@ -47,8 +47,10 @@ TEST(PlotMath, LogTicksWithinADecadeLieOnBothSidesOfOne) {
   for (const Range r : {Range{0.25, 4}, Range{0.5, 2}, Range{0.3, 3}}) {
     for (const int count : {4, 8, 12}) {
       const auto ticks = logTicks(r, count);
-      EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](double t) { return t < 0.999; })) << r.lo << ", " << count;
-      EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](double t) { return t > 1.001; })) << r.lo << ", " << count;
+      EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](double t) { return t < 0.999; }))
+          << r.lo << ", " << count;
+      EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](double t) { return t > 1.001; }))
+          << r.lo << ", " << count;
       EXPECT_LE(static_cast<int>(ticks.size()), count + 1);
       EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
     }

@@ -8,8 +8,8 @@
 
 #include "tests/ui/drawn_text.h"
 #include "tests/ui/render/render_fixture.h"
-#include "ui/widgets/chart.h"
 #include "ui/theme.h"
+#include "ui/widgets/chart.h"
 
 namespace svoscope::ui {
 namespace {
@@ -73,16 +73,19 @@ TEST_F(PlotTest, WithoutAValueThereAreNoNumbersOnTheAxis) {
     plot(s, states[0], linked);
   });
   EXPECT_EQ(countOf(texts, "no value"), 1);
-  for (const DrawnText& t : texts) EXPECT_EQ(t.text.find_first_of("0123456789"), std::string::npos) << t.text;
+  for (const DrawnText& t : texts)
+    EXPECT_EQ(t.text.find_first_of("0123456789"), std::string::npos) << t.text;
   EXPECT_EQ(countOf(texts, "lost below"), 0);
 }
 
 // Labels of the values stand in the same column: none may touch the next.
 void expectApart(std::vector<DrawnText> labels) {
   ASSERT_GE(labels.size(), 2u);
-  std::sort(labels.begin(), labels.end(), [](const DrawnText& a, const DrawnText& b) { return a.y < b.y; });
+  std::sort(labels.begin(), labels.end(),
+            [](const DrawnText& a, const DrawnText& b) { return a.y < b.y; });
   for (std::size_t i = 1; i < labels.size(); ++i) {
-    EXPECT_GE(labels[i].y - labels[i - 1].y, labels[i].size) << labels[i - 1].text << " and " << labels[i].text;
+    EXPECT_GE(labels[i].y - labels[i - 1].y, labels[i].size)
+        << labels[i - 1].text << " and " << labels[i].text;
   }
 }
 
@@ -136,7 +139,8 @@ TEST_F(PlotTest, LabelsAboveAChartStayApartAndOutside) {
   ASSERT_TRUE(level);
   for (const DrawnText& m : marks) EXPECT_LT(m.y, level->y - level->size) << "above the data area";
   EXPECT_NE(marks[0].y, marks[1].y) << "next to each other they take two rows";
-  EXPECT_LT(level->x + level->width, marks[2].x) << "the level's label makes way for the line at the right end";
+  EXPECT_LT(level->x + level->width, marks[2].x)
+      << "the level's label makes way for the line at the right end";
   EXPECT_GT(top, 0);
 }
 

@@ -91,10 +91,12 @@ TEST(Text, EveryLineOfAnEmptyPanelIsCentred) {
     const float font = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({font * 14, 400});
-    ImGui::Begin("##narrow", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground);
+    ImGui::Begin("##narrow", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground);
     const int before = ImGui::GetWindowDrawList()->VtxBuffer.Size;
     EXPECT_EQ(before, 0);
-    emptyState("Only one run is open", "Open several on this sequence with --method all, or add a recording");
+    emptyState("Only one run is open",
+               "Open several on this sequence with --method all, or add a recording");
     const float middle = font * 7;
     const auto lines = extents(*ImGui::GetWindowDrawList());
     EXPECT_GE(lines.size(), 4u);
@@ -105,7 +107,9 @@ TEST(Text, EveryLineOfAnEmptyPanelIsCentred) {
 
 double luminance(ImU32 color) {
   const ImVec4 c = toVec4(color);
-  const auto linear = [](double v) { return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  const auto linear = [](double v) {
+    return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
   return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
 }
 
