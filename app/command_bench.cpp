@@ -11,7 +11,7 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "engine/bench/bench_runner.h"
-#include "engine/bench/report.h"
+#include "engine/report/report.h"
 
 namespace svoscope {
 

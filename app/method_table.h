@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/io/run_metrics.h"
+#include "engine/eval/run_metrics.h"
 
 namespace svoscope {
 

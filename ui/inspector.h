@@ -9,10 +9,10 @@
 #include "engine/runner/runner.h"
 #include "ui/actions.h"
 #include "ui/content.h"
+#include "ui/model/runs.h"
+#include "ui/model/ui_state.h"
 #include "ui/panels/panel_context.h"
 #include "ui/render/slot_graphics.h"
-#include "ui/runs.h"
-#include "ui/ui_state.h"
 
 namespace svoscope::ui {
 

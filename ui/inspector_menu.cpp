@@ -6,7 +6,7 @@
 
 #include "ui/inspector.h"
 #include "ui/palette.h"
-#include "ui/panels/compare_panel.h"
+#include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/export.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"

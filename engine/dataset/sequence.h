@@ -7,8 +7,8 @@
 #include <string>
 
 #include "engine/base/result.h"
-#include "engine/eval/trajectory.h"
 #include "engine/geometry/camera.h"
+#include "engine/geometry/trajectory.h"
 
 namespace svoscope {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/eval/trajectory.h"
+#include "engine/geometry/trajectory.h"
 
 namespace svoscope {
 

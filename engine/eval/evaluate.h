@@ -8,7 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/eval/alignment.h"
 #include "engine/eval/delta.h"
-#include "engine/eval/trajectory.h"
+#include "engine/geometry/trajectory.h"
 
 namespace svoscope {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/io/chart.h"
+#include "engine/figure/chart.h"
 #include "engine/io/png.h"
 #include "engine/io/text_output.h"
 

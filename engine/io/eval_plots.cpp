@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/io/system_style.h"
+#include "engine/figure/system_style.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {

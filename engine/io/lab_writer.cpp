@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/io/chart.h"
+#include "engine/figure/chart.h"
 #include "engine/io/png.h"
 #include "engine/io/text_output.h"
 

@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "engine/eval/estimate.h"
 #include "engine/io/frames_csv.h"
 #include "engine/io/map_ply.h"
 #include "engine/io/trajectory_writer.h"
-#include "engine/snapshot/estimate.h"
 
 namespace svoscope {
 

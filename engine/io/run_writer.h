@@ -9,7 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stopwatch.h"
-#include "engine/io/run_metrics.h"
+#include "engine/eval/run_metrics.h"
 #include "engine/io/text_output.h"
 #include "engine/snapshot/snapshot.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/base/result.h"
-#include "engine/eval/trajectory.h"
+#include "engine/geometry/trajectory.h"
 
 namespace svoscope {
 

@@ -14,7 +14,7 @@
 #include "engine/geometry/se3.h"
 #include "engine/mapping/depth_filter.h"
 #include "engine/mapping/segment_seed.h"
-#include "engine/snapshot/snapshot.h"
+#include "engine/base/kinds.h"
 
 namespace svoscope {
 

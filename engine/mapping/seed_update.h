@@ -10,6 +10,7 @@
 #include "engine/mapping/local_adjustment.h"
 #include "engine/mapping/map.h"
 #include "engine/match/epipolar_search.h"
+#include "engine/snapshot/snapshot.h"
 
 namespace svoscope {
 

@@ -9,7 +9,7 @@
 #include "engine/base/types.h"
 #include "engine/detect/segment_detector.h"
 #include "engine/mapping/depth_filter.h"
-#include "engine/snapshot/snapshot.h"
+#include "engine/base/kinds.h"
 
 namespace svoscope {
 

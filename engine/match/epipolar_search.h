@@ -9,7 +9,7 @@
 #include "engine/frame/pyramid.h"
 #include "engine/match/feature_alignment.h"
 #include "engine/match/patch.h"
-#include "engine/snapshot/snapshot.h"
+#include "engine/base/kinds.h"
 
 namespace svoscope {
 

@@ -11,6 +11,7 @@
 
 #include "engine/dataset/sequence.h"
 #include "engine/mapping/seed_update.h"
+#include "engine/snapshot/frame_record.h"
 #include "engine/study/gate_sweep.h"
 
 namespace svoscope {

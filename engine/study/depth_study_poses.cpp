@@ -2,8 +2,8 @@
 // Camera poses in metres for the depth study.
 #include <algorithm>
 
+#include "engine/eval/estimate.h"
 #include "engine/eval/evaluate.h"
-#include "engine/snapshot/estimate.h"
 #include "engine/study/depth_study.h"
 
 namespace svoscope {

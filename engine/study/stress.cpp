@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "engine/dataset/synthetic/spec.h"
+#include "engine/eval/estimate.h"
 #include "engine/eval/evaluate.h"
 #include "engine/runner/make_runner.h"
-#include "engine/snapshot/estimate.h"
 #include "engine/study/kept_sequence.h"
 
 namespace svoscope {

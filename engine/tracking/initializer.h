@@ -13,7 +13,7 @@
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/geometry/two_view.h"
-#include "engine/snapshot/snapshot.h"
+#include "engine/base/kinds.h"
 #include "engine/tracking/initializer_parameters.h"
 #include "engine/tracking/initializer_reference.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/base/types.h"
-#include "engine/snapshot/snapshot.h"
+#include "engine/base/kinds.h"
 
 namespace svoscope {
 

@@ -7,7 +7,7 @@
 
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
-#include "engine/snapshot/snapshot.h"
+#include "engine/base/kinds.h"
 #include "engine/tracking/segment_pose.h"
 
 namespace svoscope {

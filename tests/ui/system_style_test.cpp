@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reports and inspector give a method the same colour.
-#include "engine/io/system_style.h"
+#include "engine/figure/system_style.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/io/run_metrics.h"
-#include "ui/panels/truth.h"
+#include "engine/eval/run_metrics.h"
+#include "ui/model/truth.h"
 
 namespace svoscope::ui {
 namespace {

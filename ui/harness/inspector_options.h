@@ -7,7 +7,7 @@
 
 #include "engine/base/result.h"
 #include "ui/harness/expectation.h"
-#include "ui/ui_state.h"
+#include "ui/model/ui_state.h"
 
 namespace svoscope::ui {
 

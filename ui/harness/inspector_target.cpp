@@ -8,7 +8,7 @@
 
 #include "ui/harness/inspector_options.h"
 #include "ui/harness/seed_values.h"
-#include "ui/panels/seed_trace.h"
+#include "ui/model/seed_trace.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {

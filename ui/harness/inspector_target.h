@@ -4,8 +4,8 @@
 
 #include "engine/runner/runner.h"
 #include "ui/harness/script_target.h"
-#include "ui/runs.h"
-#include "ui/ui_state.h"
+#include "ui/model/runs.h"
+#include "ui/model/ui_state.h"
 
 namespace svoscope::ui {
 

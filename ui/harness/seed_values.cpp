@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/harness/seed_values.h"
 
-#include "ui/panels/selection_history.h"
+#include "ui/model/selection_history.h"
 
 namespace svoscope::ui {
 namespace {

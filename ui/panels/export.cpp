@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/snapshot/estimate.h"
+#include "engine/eval/estimate.h"
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {

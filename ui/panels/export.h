@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/panels/run_cache.h"
+#include "ui/model/run_cache.h"
 
 namespace svoscope::ui {
 

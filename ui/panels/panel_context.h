@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "engine/runner/runner.h"
-#include "ui/panels/compare_scene.h"
-#include "ui/panels/divergence_view.h"
-#include "ui/panels/filter_stats.h"
-#include "ui/panels/lab_view.h"
-#include "ui/panels/run_cache.h"
-#include "ui/panels/scene_content.h"
-#include "ui/panels/search_cache.h"
-#include "ui/panels/seed_trace.h"
-#include "ui/panels/selection_history.h"
-#include "ui/panels/trails.h"
-#include "ui/panels/truth.h"
+#include "ui/model/run_cache.h"
+#include "ui/model/runs.h"
+#include "ui/model/search_cache.h"
+#include "ui/model/seed_trace.h"
+#include "ui/model/selection_history.h"
+#include "ui/model/truth.h"
+#include "ui/model/ui_state.h"
+#include "ui/panels/compare/compare_scene.h"
+#include "ui/panels/filter/divergence_view.h"
+#include "ui/panels/filter/filter_stats.h"
+#include "ui/panels/filter/lab_view.h"
+#include "ui/panels/scene/scene_content.h"
+#include "ui/panels/scene/trails.h"
 #include "ui/render/graphics.h"
-#include "ui/runs.h"
-#include "ui/ui_state.h"
 
 namespace svoscope::ui {
 

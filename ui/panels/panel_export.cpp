@@ -9,9 +9,9 @@
 
 #include "engine/io/text_output.h"
 #include "ui/palette.h"
-#include "ui/panels/compare_panel.h"
+#include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/export.h"
-#include "ui/panels/seed_charts.h"
+#include "ui/panels/seed/seed_charts.h"
 
 namespace svoscope::ui {
 

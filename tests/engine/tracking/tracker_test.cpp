@@ -6,8 +6,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "engine/eval/estimate.h"
 #include "engine/eval/evaluate.h"
-#include "engine/snapshot/estimate.h"
 #include "tests/support/memory_sequence.h"
 
 namespace svoscope {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "tests/ui/inspector/inspector_fixture.h"
-#include "ui/panels/image_overlay.h"
+#include "ui/panels/scene/image_overlay.h"
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {

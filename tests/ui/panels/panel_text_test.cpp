@@ -7,8 +7,8 @@
 #include "tests/ui/drawn_text.h"
 #include "tests/ui/inspector/inspector_fixture.h"
 #include "ui/harness/inspector_target.h"
-#include "ui/panels/search_cache.h"
-#include "ui/panels/seed_trace.h"
+#include "ui/model/search_cache.h"
+#include "ui/model/seed_trace.h"
 
 namespace svoscope::ui {
 namespace {

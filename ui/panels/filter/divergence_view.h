@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the KL / JS panel shows, made again only when the data or the scope changed.
+#pragma once
+
+#include <vector>
+
+#include "ui/panels/filter/filter_stats.h"
+
+namespace svoscope::ui {
+
+struct PanelContext;
+
+struct DivergenceView {
+  std::vector<UpdatePoint> points;
+  FilterDistributions shown;
+  Calibration calibration;
+  std::vector<float> steps[2], median[2], low[2], high[2];  ///< convergence, by rule
+
+  void update(PanelContext& c);
+
+ private:
+  struct Key {
+    std::uint64_t version = 0, truth = 0;
+    int frame = -2;
+    bool whole_run = true;
+    bool operator==(const Key& o) const {
+      return version == o.version && truth == o.truth && frame == o.frame &&
+             whole_run == o.whole_run;
+    }
+  };
+  Key key_;
+};
+
+}  // namespace svoscope::ui
