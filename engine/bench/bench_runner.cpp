@@ -10,8 +10,8 @@
 
 #include "engine/base/stopwatch.h"
 #include "engine/bench/cell_queue.h"
-#include "engine/io/text_output.h"
 #include "engine/bench/cell_text.h"
+#include "engine/io/text_output.h"
 
 namespace svoscope {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/frame/pyramid.h"
 #include "engine/base/kinds.h"
+#include "engine/frame/pyramid.h"
 
 namespace svoscope {
 

@@ -9,12 +9,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/frame/pyramid.h"
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/mapping/depth_filter.h"
 #include "engine/mapping/segment_seed.h"
-#include "engine/base/kinds.h"
 
 namespace svoscope {
 

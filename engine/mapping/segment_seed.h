@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/base/types.h"
 #include "engine/detect/segment_detector.h"
 #include "engine/mapping/depth_filter.h"
-#include "engine/base/kinds.h"
 
 namespace svoscope {
 

@@ -6,10 +6,10 @@
 
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/frame/pyramid.h"
 #include "engine/match/feature_alignment.h"
 #include "engine/match/patch.h"
-#include "engine/base/kinds.h"
 
 namespace svoscope {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/geometry/two_view.h"
-#include "engine/base/kinds.h"
 #include "engine/tracking/initializer_parameters.h"
 #include "engine/tracking/initializer_reference.h"
 

@@ -5,8 +5,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "engine/base/types.h"
 #include "engine/base/kinds.h"
+#include "engine/base/types.h"
 
 namespace svoscope {
 

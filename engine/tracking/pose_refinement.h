@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
-#include "engine/base/kinds.h"
 #include "engine/tracking/segment_pose.h"
 
 namespace svoscope {
