@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "engine/base/angle.h"
 #include "engine/detect/feature_detector.h"
 #include "engine/geometry/segment.h"
 
@@ -12,7 +13,6 @@ namespace svoscope {
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kLsdScale = 0.8;  // the detector's own reduction against stairs in slanted edges
 // OpenCV's detector maps its reduced image back without regard to pixel centres.
 constexpr double kLsdShift = 0.5 / kLsdScale - 0.5;

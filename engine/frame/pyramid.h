@@ -18,7 +18,7 @@ using PyramidPtr = std::shared_ptr<const Pyramid>;
 /// 2x2 mean, rounded, of a CV_8UC1 image; size (w / 2, h / 2) rounded down.
 cv::Mat halfSample(const cv::Mat& image);
 
-/// Builds at most `levels` levels; stops before a side falls below 24 px.
+/// Builds at most `levels` levels; stops before the shorter side falls below 14 px.
 PyramidPtr buildPyramid(const cv::Mat& image, int levels);
 
 /// Levels wanted for an image width: 5 at 640, one more per doubling.

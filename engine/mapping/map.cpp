@@ -71,18 +71,15 @@ void Map::removeObservation(std::int64_t landmark_id, int keyframe_id) {
 }
 
 void Map::endSeeds(Keyframe& keyframe, SeedEnding ending) {
-  const auto end = [&](auto& seeds, auto& left) {
+  const auto endAll = [&](auto& seeds, auto& left) {
     for (auto& seed : seeds) {
-      if (seed.ending == SeedEnding::none) {
-        seed.status = SeedStatus::rejected;
-        seed.ending = ending;
-      }
+      endSeed(seed, ending);
       left.push_back({seed, keyframe.T_cam_world});
     }
     seeds.clear();
   };
-  end(keyframe.seeds, orphans);
-  end(keyframe.segment_seeds, segment_orphans);
+  endAll(keyframe.seeds, orphans);
+  endAll(keyframe.segment_seeds, segment_orphans);
 }
 
 void Map::removeKeyframe(int id) {
@@ -99,12 +96,8 @@ void Map::removeKeyframe(int id) {
 int Map::seedCount() const {
   int count = 0;
   for (const auto& [id, keyframe] : keyframes) {
-    for (const Seed& seed : keyframe.seeds) {
-      count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
-    }
-    for (const SegmentSeed& seed : keyframe.segment_seeds) {
-      count += seed.status == SeedStatus::active || seed.status == SeedStatus::converged;
-    }
+    for (const Seed& seed : keyframe.seeds) count += alive(seed);
+    for (const SegmentSeed& seed : keyframe.segment_seeds) count += alive(seed);
   }
   return count;
 }

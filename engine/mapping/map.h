@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Keyframes, landmarks and seeds. Owned and changed by the tracking thread alone: the mapping
-// thread gets copies of what it needs and answers with values (mapping_job.h).
+// thread gets copies of what it needs and answers with values (seed_update.h).
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "engine/geometry/camera.h"
 #include "engine/geometry/se3.h"
 #include "engine/mapping/depth_filter.h"
+#include "engine/mapping/seed_life.h"
 #include "engine/mapping/segment_seed.h"
 
 namespace svoscope {
@@ -27,20 +28,12 @@ struct FeatureAnchor {
   Vec2 gradient_dir = Vec2::Zero();  ///< edgelets, unit
 };
 
-struct Seed {
-  std::int64_t id = -1;
-  int keyframe_id = -1;
+struct Seed : SeedLife {
   FeatureAnchor anchor;    ///< in its keyframe
   Belief belief;           ///< of the rule in use: decides status and map
   Belief shadow;           ///< of the other rule, on the same measurements; for inspection
   bool has_shadow = true;  ///< no measurement was kept from it
-  double range = 1;        ///< R, 1/map unit
   double score = 0;        ///< of the detector
-  SeedStatus status = SeedStatus::active;
-  SeedEnding ending = SeedEnding::none;
-  SearchOutcome outcome = SearchOutcome::none;  ///< of the last frame
-  int updates = 0, failures = 0;
-  int last_frame = -1;  ///< last frame with a successful measurement
   double last_x = 0, last_tau = 0;
 };
 
@@ -67,8 +60,8 @@ struct Keyframe {
   double median_depth = 1, min_depth = 0.5;  ///< z of its features, map units
   double scale = 1;                     ///< product of the factors its surroundings were scaled by
   std::vector<std::int64_t> landmarks;  ///< seen in it
-  std::vector<Seed> seeds;
-  std::vector<std::int64_t> segments;      ///< segment landmarks seen in it
+  std::vector<Seed> seeds;              ///< in order of id
+  std::vector<std::int64_t> segments;   ///< segment landmarks seen in it
   std::vector<SegmentSeed> segment_seeds;  ///< in order of id
   cv::Mat thumbnail;                       ///< small blurred float image, zero mean
   int last_local_frame = -1;               ///< last frame that searched its features
@@ -112,6 +105,14 @@ struct Map {
   }
 
   const Keyframe* findKeyframe(int id) const { return const_cast<Map*>(this)->findKeyframe(id); }
+  Seed* findSeed(int keyframe_id, std::int64_t id) {
+    Keyframe* keyframe = findKeyframe(keyframe_id);
+    return keyframe ? findById(keyframe->seeds, id) : nullptr;
+  }
+  SegmentSeed* findSegmentSeed(int keyframe_id, std::int64_t id) {
+    Keyframe* keyframe = findKeyframe(keyframe_id);
+    return keyframe ? findById(keyframe->segment_seeds, id) : nullptr;
+  }
 
   Landmark& addLandmark(const Vec3& p_world, FeatureType type);
   void addObservation(Landmark& landmark, Keyframe& keyframe, const FeatureAnchor& anchor);

@@ -71,12 +71,6 @@ Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double medi
 
 namespace {
 
-SeedEnding endingOf(const Belief& q, const DepthFilterParameters& p) {
-  if (!std::isfinite(q.mu) || !std::isfinite(q.sigma2)) return SeedEnding::not_finite;
-  if (q.mu <= 0) return SeedEnding::no_depth;
-  return q.inlierRatio() < p.reject_inlier_ratio ? SeedEnding::inlier_ratio : SeedEnding::none;
-}
-
 void updateBeliefs(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& p) {
   const Measurement measured{m.x, m.tau * m.tau, seed.range};
   seed.belief = updateBelief(p.rule, seed.belief, measured, p.js);
@@ -88,33 +82,21 @@ void updateBeliefs(Seed& seed, const SeedMeasurement& m, const DepthFilterParame
 }  // namespace
 
 void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& p) {
-  if (seed.ending != SeedEnding::none) return;
-  seed.outcome = m.outcome;
-  switch (m.outcome) {
-    case SearchOutcome::matched:
-    case SearchOutcome::tracked:
+  switch (noteSearch(seed, m.outcome, m.frame_index)) {
+    case Evidence::measured:
       seed.has_shadow = seed.has_shadow && p.shadow;
       updateBeliefs(seed, m, p);
-      ++seed.updates;
-      seed.last_frame = m.frame_index;
       seed.last_x = m.x;
       seed.last_tau = m.tau;
       break;
-    case SearchOutcome::no_match:
+    case Evidence::missed:
       seed.belief.b += 1;
       seed.shadow.b += 1;
-      ++seed.failures;
       break;
-    default:
-      return;  // says nothing about the depth
+    case Evidence::none:
+      return;
   }
-  seed.ending = endingOf(seed.belief, p);
-  if (seed.ending != SeedEnding::none) {
-    seed.status = SeedStatus::rejected;
-  } else if (std::sqrt(seed.belief.sigma2) < seed.range * p.converged_fraction &&
-             seed.belief.inlierRatio() > p.min_inlier_ratio) {
-    seed.status = SeedStatus::converged;
-  }
+  judge(seed, &seed.belief, 1, p);
 }
 
 MappingResult runMappingJob(const MappingJob& job, const MappingParameters& parameters) {

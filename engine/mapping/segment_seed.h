@@ -10,6 +10,7 @@
 #include "engine/base/types.h"
 #include "engine/detect/segment_detector.h"
 #include "engine/mapping/depth_filter.h"
+#include "engine/mapping/seed_life.h"
 
 namespace svoscope {
 
@@ -51,17 +52,9 @@ struct SegmentAnchor {
 };
 
 /// One belief per end point; a and b are shared and equal in both.
-struct SegmentSeed {
-  std::int64_t id = -1;
-  int keyframe_id = -1;
+struct SegmentSeed : SeedLife {
   SegmentAnchor anchor;
   Belief belief[2];
-  double range = 1;  ///< R, 1/map unit
-  SeedStatus status = SeedStatus::active;
-  SeedEnding ending = SeedEnding::none;
-  SearchOutcome outcome = SearchOutcome::none;
-  int updates = 0, failures = 0;
-  int last_frame = -1;
   double last_x[2] = {0, 0}, last_tau[2] = {0, 0};
 };
 

@@ -145,10 +145,8 @@ SegmentMeasurement measureFromLine(const Pinhole& camera, const SE3& T_cur_ref,
 
 void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m,
                              const DepthFilterParameters& p) {
-  seed.outcome = m.outcome;
-  switch (m.outcome) {
-    case SearchOutcome::matched:
-    case SearchOutcome::tracked: {
+  switch (noteSearch(seed, m.outcome, m.frame_index)) {
+    case Evidence::measured: {
       double a = 0, b = 0;
       for (int i = 0; i < 2; ++i) {
         seed.belief[i] =
@@ -160,26 +158,15 @@ void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m,
       }
       // Both ends were found by one search: one vote on whether it was right.
       for (Belief& belief : seed.belief) belief.a = a, belief.b = b;
-      ++seed.updates;
-      seed.last_frame = m.frame_index;
       break;
     }
-    case SearchOutcome::no_match:
+    case Evidence::missed:
       for (Belief& belief : seed.belief) belief.b += 1;
-      ++seed.failures;
       break;
-    default:
-      return;  // says nothing about the depth
+    case Evidence::none:
+      return;
   }
-  const double ratio = seed.belief[0].inlierRatio();
-  const double sigma = std::sqrt(std::max(seed.belief[0].sigma2, seed.belief[1].sigma2));
-  if (!(seed.belief[0].mu > 0) || !(seed.belief[1].mu > 0)) seed.ending = SeedEnding::no_depth;
-  if (ratio < p.reject_inlier_ratio) seed.ending = SeedEnding::inlier_ratio;
-  if (seed.ending != SeedEnding::none) {
-    seed.status = SeedStatus::rejected;
-  } else if (sigma < seed.range * p.converged_fraction && ratio > p.min_inlier_ratio) {
-    seed.status = SeedStatus::converged;
-  }
+  judge(seed, seed.belief, 2, p);
 }
 
 SegmentJobResult runSegmentJob(const MappingJob& job, const MappingParameters& p) {

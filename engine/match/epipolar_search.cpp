@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/angle.h"
+
 namespace svoscope {
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 /// Farthest belief searched: inverse distances below are taken as infinity.
 constexpr double kMinInverseDistance = 1e-6;
 

@@ -6,11 +6,12 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "engine/base/angle.h"
+
 namespace svoscope {
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kBorderPx = 8;
 
 enum class Pass { landmark, converged, unconverged };

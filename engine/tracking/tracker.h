@@ -132,7 +132,6 @@ class Tracker {
   void applyAdjustment(const AdjustmentResult& adjustment);  ///< tracker_adjustment.cpp
   void dropEndedSeeds();
   bool measureSeed(Seed& seed, const SeedMeasurement& m);
-  Seed* findSeed(int keyframe_id, std::int64_t id);
 
   // Segments (tracker_segments.cpp).
   std::vector<AlignmentPatch> alignmentPatches() const;
@@ -142,10 +141,8 @@ class Tracker {
   void refineSegments();
   void requestSegmentMeasurements();
   void applySegmentMapping(const MappingResult& result);
-  void dropEndedSegmentSeeds();
   void disownSegments(int keyframe_id);
   void followSegments();
-  SegmentSeed* findSegmentSeed(int keyframe_id, std::int64_t id);
 
   void event(EventKind kind, std::string text);
 

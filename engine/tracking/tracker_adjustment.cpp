@@ -164,7 +164,7 @@ void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
     if (f.origin == FeatureOrigin::landmark) {
       const Landmark* landmark = map_.find(f.id);
       f.p_world = landmark ? landmark->p_world : newest.moved(f.p_world);
-    } else if (const Seed* seed = findSeed(f.keyframe_id, f.id)) {
+    } else if (const Seed* seed = map_.findSeed(f.keyframe_id, f.id)) {
       f.p_world = seedPoint(*seed, *map_.findKeyframe(f.keyframe_id));
     }
   }

@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/angle.h"
 #include "engine/base/quantile.h"
 #include "engine/mapping/landmark_refinement.h"
 #include "engine/tracking/tracker.h"
 
 namespace svoscope {
-
-namespace {
-
-constexpr double kDegree = M_PI / 180.0;
-
-}  // namespace
 
 bool depthStatistics(const Frame& frame, double& median, double& near) {
   std::vector<double> depths;
@@ -77,10 +72,9 @@ void Tracker::promoteFeature(TrackedFeature& f, Keyframe& keyframe) {
     if (Landmark* landmark = map_.find(f.id)) map_.addObservation(*landmark, keyframe, f.anchor);
     return;
   }
-  Seed* seed = findSeed(f.keyframe_id, f.id);
+  Seed* seed = map_.findSeed(f.keyframe_id, f.id);
   if (!seed) return;
-  seed->status = SeedStatus::promoted;
-  seed->ending = SeedEnding::promoted;
+  endSeed(*seed, SeedEnding::promoted);
   Landmark& landmark = map_.addLandmark(f.p_world, f.anchor.type);
   landmark.sigma = std::sqrt(seed->belief.sigma2);
   landmark.score = seed->score;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/angle.h"
 #include "engine/tracking/tracker.h"
 
 namespace svoscope {
@@ -13,18 +14,8 @@ namespace {
 constexpr std::size_t kMostJobSeeds = 800;
 constexpr std::size_t kOlderViews = 3;
 constexpr int kSeedMemoryFrames = 60;
-constexpr double kDegree = M_PI / 180.0;
 
 }  // namespace
-
-Seed* Tracker::findSeed(int keyframe_id, std::int64_t id) {
-  Keyframe* keyframe = map_.findKeyframe(keyframe_id);
-  if (!keyframe) return nullptr;
-  auto& seeds = keyframe->seeds;  // in order of id
-  const auto it = std::lower_bound(seeds.begin(), seeds.end(), id,
-                                   [](const Seed& s, std::int64_t value) { return s.id < value; });
-  return it != seeds.end() && it->id == id ? &*it : nullptr;
-}
 
 /// Ended seeds stay for one frame, so that its snapshot shows how they ended. Keyframes long out of
 /// sight lose theirs: the cost of a frame must not grow with the path.
@@ -35,19 +26,12 @@ void Tracker::dropEndedSeeds() {
   map_.orphans.clear();
   map_.segment_orphans.clear();
   for (auto& [id, keyframe] : map_.keyframes) {
-    auto& seeds = keyframe.seeds;
     if (frame_.index - std::max(keyframe.last_local_frame, keyframe.frame_index) >
         kSeedMemoryFrames)
       map_.endSeeds(keyframe, SeedEnding::out_of_sight);
-    seeds.erase(std::remove_if(seeds.begin(), seeds.end(),
-                               [](const Seed& s) {
-                                 return s.status == SeedStatus::rejected ||
-                                        s.status == SeedStatus::promoted;
-                               }),
-                seeds.end());
-    for (Seed& seed : seeds) seed.outcome = SearchOutcome::none;
+    dropEnded(keyframe.seeds);
+    dropEnded(keyframe.segment_seeds);
   }
-  dropEndedSegmentSeeds();
 }
 
 /// Applies a measurement; true if the seed converged by it.
@@ -68,7 +52,7 @@ bool Tracker::measureSeed(Seed& seed, const SeedMeasurement& m) {
 /// Measurements made by the tracker enter the filter with the final pose.
 void Tracker::commitSeedMatches(const std::vector<TrackedSeedMatch>& matches) {
   for (const TrackedSeedMatch& match : matches) {
-    Seed* seed = findSeed(match.keyframe_id, match.seed_id);
+    Seed* seed = map_.findSeed(match.keyframe_id, match.seed_id);
     if (!seed) continue;
     measured_seeds_.push_back(match.seed_id);
     SeedMeasurement m{match.seed_id, match.keyframe_id, frame_.index, match.outcome};
@@ -144,7 +128,7 @@ void Tracker::requestMeasurements() {
     job_->keyframes.push_back(
         {id, keyframe->pyramid, keyframe->T_cam_world, keyframe->frame_index, keyframe->scale});
     for (const Seed& seed : keyframe->seeds) {
-      if (seed.status != SeedStatus::active && seed.status != SeedStatus::converged) continue;
+      if (!alive(seed)) continue;
       if (job_->seeds.size() >= kMostJobSeeds) return;
       if (std::binary_search(measured_seeds_.begin(), measured_seeds_.end(), seed.id)) continue;
       const Vec3 p = frame_.T_cam_world * seedPoint(seed, *keyframe);
@@ -195,9 +179,8 @@ void Tracker::applyMapping(MappingResult result) {
   bringToScale(result);
   record_.time_ms[static_cast<int>(Stage::mapping)] += result.time_ms;
   for (const SeedMeasurement& m : result.measurements) {
-    Seed* seed = findSeed(m.keyframe_id, m.seed_id);
-    if (!seed || seed->status == SeedStatus::rejected || seed->status == SeedStatus::promoted)
-      continue;
+    Seed* seed = map_.findSeed(m.keyframe_id, m.seed_id);
+    if (!seed || !alive(*seed)) continue;
     record_.seeds_converged += measureSeed(*seed, m);
     record_.seed_updates += m.outcome == SearchOutcome::matched;
     record_.seeds_rejected += seed->status == SeedStatus::rejected;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/angle.h"
 #include "engine/mapping/segment_refinement.h"
 #include "engine/mapping/segment_seed_update.h"
 #include "engine/tracking/tracker.h"
@@ -11,12 +12,6 @@
 namespace svoscope {
 
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
-
-bool alive(const SegmentSeed& s) {
-  return s.status == SeedStatus::active || s.status == SeedStatus::converged;
-}
 
 /// Sigma of the inverse distance over its mean, the worse of both ends.
 double relativeSigma(const SegmentSeed& s) {
@@ -48,15 +43,6 @@ std::vector<AlignmentPatch> Tracker::alignmentPatches() const {
   return patches;
 }
 
-SegmentSeed* Tracker::findSegmentSeed(int keyframe_id, std::int64_t id) {
-  Keyframe* keyframe = map_.findKeyframe(keyframe_id);
-  if (!keyframe) return nullptr;
-  auto& seeds = keyframe->segment_seeds;
-  const auto it =
-      std::find_if(seeds.begin(), seeds.end(), [id](const SegmentSeed& s) { return s.id == id; });
-  return it == seeds.end() ? nullptr : &*it;
-}
-
 void Tracker::acceptSegments(Attempt& a) {
   for (std::size_t i = 0; i < a.segments.segments.size(); ++i) {
     TrackedSegment& s = a.segments.segments[i];
@@ -70,7 +56,7 @@ void Tracker::acceptSegments(Attempt& a) {
 void Tracker::commitSegments() {
   for (TrackedSegment& s : frame_.segments) {
     SegmentSeed* seed =
-        s.origin == FeatureOrigin::landmark ? nullptr : findSegmentSeed(s.keyframe_id, s.id);
+        s.origin == FeatureOrigin::landmark ? nullptr : map_.findSegmentSeed(s.keyframe_id, s.id);
     if (!seed) continue;
     const Keyframe& keyframe = *map_.findKeyframe(s.keyframe_id);
     const SE3 T_cur_ref = frame_.T_cam_world * keyframe.T_cam_world.inverse();
@@ -105,13 +91,12 @@ void Tracker::promoteSegments(Keyframe& keyframe) {
       keyframe.segments.push_back(s.id);
       continue;
     }
-    SegmentSeed* seed = findSegmentSeed(s.keyframe_id, s.id);
+    SegmentSeed* seed = map_.findSegmentSeed(s.keyframe_id, s.id);
     if (!seed || seed->keyframe_id == keyframe.id ||
         relativeSigma(*seed) > parameters_.mapping.segments.promote_sigma ||
         seed->belief[0].inlierRatio() < parameters_.mapping.filter.min_inlier_ratio)
       continue;
-    seed->status = SeedStatus::promoted;
-    seed->ending = SeedEnding::promoted;
+    endSeed(*seed, SeedEnding::promoted);
     SegmentLandmark landmark;
     landmark.id = map_.next_id++;
     for (int i = 0; i < 2; ++i) {
@@ -183,7 +168,7 @@ void Tracker::requestSegmentMeasurements() {
 void Tracker::applySegmentMapping(const MappingResult& result) {
   const DepthFilterParameters& filter = parameters_.mapping.filter;
   for (const SegmentMeasurement& m : result.segments.measurements) {
-    SegmentSeed* seed = findSegmentSeed(m.keyframe_id, m.seed_id);
+    SegmentSeed* seed = map_.findSegmentSeed(m.keyframe_id, m.seed_id);
     if (!seed || !alive(*seed)) continue;
     const SeedStatus before = seed->status;
     applySegmentMeasurement(*seed, m, filter);
@@ -204,23 +189,13 @@ void Tracker::applySegmentMapping(const MappingResult& result) {
   }
 }
 
-void Tracker::dropEndedSegmentSeeds() {
-  for (auto& [id, keyframe] : map_.keyframes) {
-    auto& seeds = keyframe.segment_seeds;
-    seeds.erase(
-        std::remove_if(seeds.begin(), seeds.end(), [](const SegmentSeed& s) { return !alive(s); }),
-        seeds.end());
-    for (SegmentSeed& seed : seeds) seed.outcome = SearchOutcome::none;
-  }
-}
-
 /// The frame's segments take the places of their landmarks and seeds after an adjustment.
 void Tracker::followSegments() {
   for (TrackedSegment& s : frame_.segments) {
     const auto it = map_.segments.find(s.id);
     if (s.origin == FeatureOrigin::landmark && it != map_.segments.end()) {
       for (int i = 0; i < 2; ++i) s.p_world[i] = it->second.p_world[i];
-    } else if (const SegmentSeed* seed = findSegmentSeed(s.keyframe_id, s.id)) {
+    } else if (const SegmentSeed* seed = map_.findSegmentSeed(s.keyframe_id, s.id)) {
       setSeedPose(*seed, *map_.findKeyframe(s.keyframe_id), s);
     }
   }
