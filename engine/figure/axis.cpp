@@ -25,11 +25,34 @@ double niceBound(double v, bool up) {
 }  // namespace
 
 double niceStep(double span, int n) {
-  const double raw = span / n, power = std::pow(10, std::floor(std::log10(raw)));
+  if (!(span > 0) || !std::isfinite(span)) return 1;
+  const double raw = span / std::max(1, n), power = std::pow(10, std::floor(std::log10(raw)));
   for (const double m : {1.0, 2.0, 5.0}) {
     if (m * power >= raw * (1 - 1e-9)) return m * power;
   }
   return 10 * power;
+}
+
+std::vector<double> linearTicks(double low, double high, double step) {
+  constexpr std::size_t kMost = 1000;  // a range far from zero, too narrow for doubles
+  std::vector<double> ticks;
+  // Multiples, not sums: no rounding error piles up, and no "-0".
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i += 1) {
+    ticks.push_back(i == 0 ? 0.0 : i * step);
+    if (ticks.size() > kMost) break;
+  }
+  return ticks;
+}
+
+std::vector<double> decadeTicks(double low, double high, const std::vector<double>& factors) {
+  std::vector<double> ticks;
+  for (double e = std::floor(std::log10(low)); e <= std::log10(high) + 1e-9; e += 1) {
+    for (const double factor : factors) {
+      const double tick = factor * std::pow(10.0, e);
+      if (tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9)) ticks.push_back(tick);
+    }
+  }
+  return ticks;
 }
 
 double Axis::part(double v) const {
@@ -38,23 +61,9 @@ double Axis::part(double v) const {
 }
 
 std::vector<double> Axis::ticks() const {
-  std::vector<double> values;
-  if (!log) {
-    // Multiples, not sums: no rounding error piles up, and no "-0".
-    for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-      values.push_back(i == 0 ? 0.0 : i * step);
-    return values;
-  }
-  const bool between = high / low < 500;
-  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high * 1.001;
-       power *= 10) {
-    for (const double m : {1.0, 2.0, 5.0}) {
-      const double v = m * power;
-      if (m > 1 && !between) break;
-      if (v >= low * 0.999 && v <= high * 1.001) values.push_back(v);
-    }
-  }
-  return values;
+  if (!log) return linearTicks(low, high, step);
+  const bool few = high / low < 500;
+  return decadeTicks(low, high, few ? std::vector<double>{1, 2, 5} : std::vector<double>{1});
 }
 
 Axis fitAxis(const std::vector<double>& values, bool log, bool from_zero, AxisFit fit, int steps) {

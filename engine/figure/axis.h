@@ -28,8 +28,14 @@ enum class AxisFit {
 Axis fitAxis(const std::vector<double>& values, bool log, bool from_zero,
              AxisFit fit = AxisFit::round, int steps = 6);
 
-/// 1, 2 or 5 times a power of ten, so that a span has about `n` steps or fewer.
+/// 1, 2 or 5 times a power of ten, so that a span has about `n` steps or fewer; 1 for a span that
+/// is not positive and finite.
 double niceStep(double span, int n);
+
+/// Multiples of `step` from low to high.
+std::vector<double> linearTicks(double low, double high, double step);
+/// `factors` (rising, 1 to below 10) times powers of ten from low > 0 to high, rising.
+std::vector<double> decadeTicks(double low, double high, const std::vector<double>& factors);
 
 /// A tick's value as short as can be: "0", "0.02", "1500".
 std::string tickText(double value);

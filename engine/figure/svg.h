@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/canvas.h"
+
 namespace svoscope {
 
 /// '&', '<', '>' and quotes as entities; control characters, which XML does not allow, as '?'.
@@ -14,30 +16,24 @@ std::string xmlEscaped(const std::string& text);
 /// Rules of the classes used: ink, dim, faint, grid, axis, truth, ground.
 extern const char* const kSvgStyle;
 
-struct SvgPoint {
-  double x = 0, y = 0;  ///< px, y down
-};
-
-enum class SvgAnchor { start, middle, end };
-
 class Svg {
  public:
   /// `label` is read out in place of the picture.
   Svg(double width, double height, const std::string& label);
 
   /// `attributes` as in SVG: class="grid", stroke="#d55e00" ...
-  void line(SvgPoint a, SvgPoint b, const std::string& attributes);
+  void line(FigurePoint a, FigurePoint b, const std::string& attributes);
   /// Points nearer than 0.7 px to the one before are left out.
-  void polyline(const std::vector<SvgPoint>& points, const std::string& attributes);
-  void rect(SvgPoint corner, double width, double height, const std::string& attributes);
-  void circle(SvgPoint centre, double radius, const std::string& attributes);
-  void cross(SvgPoint centre, double radius, const std::string& attributes);
+  void polyline(const std::vector<FigurePoint>& points, const std::string& attributes);
+  void rect(FigurePoint corner, double width, double height, const std::string& attributes);
+  void circle(FigurePoint centre, double radius, const std::string& attributes);
+  void cross(FigurePoint centre, double radius, const std::string& attributes);
   /// `css` is a class: "ink", "dim", "title".
-  void text(SvgPoint at, const std::string& text, SvgAnchor anchor, const std::string& css);
+  void text(FigurePoint at, const std::string& text, TextAnchor anchor, const std::string& css);
   /// Reads upwards.
-  void turnedText(SvgPoint at, const std::string& text, const std::string& css);
+  void turnedText(FigurePoint at, const std::string& text, const std::string& css);
   /// What follows, up to endClip, is cut at the rectangle.
-  void beginClip(SvgPoint corner, double width, double height);
+  void beginClip(FigurePoint corner, double width, double height);
   void endClip();
 
   /// To stand in an HTML page that has kSvgStyle.

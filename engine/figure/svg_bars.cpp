@@ -6,12 +6,14 @@
 #include <algorithm>
 
 #include "engine/figure/axis.h"
+#include "engine/figure/legend.h"
+#include "engine/figure/svg_canvas.h"
 
 namespace svoscope {
 
 namespace {
 
-constexpr double kTop = 26, kRight = 24, kBottom = 40, kGlyph = 6.8, kLegendRow = 18, kGap = 9;
+constexpr double kTop = 26, kRight = 24, kBottom = 40, kGap = 9;
 
 class Bars {
  public:
@@ -29,19 +31,19 @@ class Bars {
       }
     }
     if (c.reference) values.push_back(*c.reference);
-    left_ = std::min(0.4 * c.width, kGlyph * static_cast<double>(longest) + 14);
+    left_ = std::min(0.4 * c.width, LegendRows::kGlyph * static_cast<double>(longest) + 14);
     right_ = c.width - kRight;
     bottom_ = kTop + groupsHeight(c, row_);
     x_ = fitAxis(values, c.log, !c.log && !c.dots, AxisFit::round, 6);
   }
 
   Svg draw() {
-    svg_.text({4, 15}, c_.title, SvgAnchor::start, "title");
+    svg_.text({4, 15}, c_.title, TextAnchor::start, "title");
     drawAxis();
     double y = kTop + 0.5 * kGap;
     for (const SvgBarGroup& group : c_.groups) {
       const double height = row_ * static_cast<double>(c_.series.size());
-      svg_.text({left_ - 8, y + 0.5 * height + 4}, group.label, SvgAnchor::end, "ink");
+      svg_.text({left_ - 8, y + 0.5 * height + 4}, group.label, TextAnchor::end, "ink");
       for (std::size_t i = 0; i < c_.series.size(); ++i)
         drawBar(group.bars.size() > i ? group.bars[i] : std::nullopt, c_.series[i].style,
                 y + row_ * (static_cast<double>(i) + 0.5));
@@ -56,24 +58,15 @@ class Bars {
     return static_cast<double>(c.groups.size()) *
            (row * static_cast<double>(c.series.size()) + kGap);
   }
-  static double entryWidth(const SvgBarSeries& s) {
-    return 26 + kGlyph * static_cast<double>(s.name.size()) + 14;
-  }
-  static int legendRows(const SvgBarChart& c) {
+  static LegendRows legendOf(const SvgBarChart& c) { return {4, c.width, 26}; }
+  static double legendHeight(const SvgBarChart& c) {
     if (c.series.size() < 2) return 0;
-    double x = 4;
-    int rows = 1;
-    for (const SvgBarSeries& s : c.series) {
-      if (x > 4 && x + entryWidth(s) > c.width) {
-        ++rows;
-        x = 4;
-      }
-      x += entryWidth(s);
-    }
-    return rows;
+    LegendRows rows = legendOf(c);
+    for (const SvgBarSeries& s : c.series) rows.place(s.name);
+    return rows.height();
   }
   static double height(const SvgBarChart& c, double row) {
-    return kTop + groupsHeight(c, row) + kBottom + kLegendRow * legendRows(c);
+    return kTop + groupsHeight(c, row) + kBottom + legendHeight(c);
   }
 
   double px(double v) const { return left_ + x_.part(v) * (right_ - left_); }
@@ -81,21 +74,21 @@ class Bars {
   void drawAxis() {
     for (const double v : x_.ticks()) {
       svg_.line({px(v), kTop}, {px(v), bottom_}, "class=\"grid\"");
-      svg_.text({px(v), bottom_ + 15}, tickText(v), SvgAnchor::middle, "dim");
+      svg_.text({px(v), bottom_ + 15}, tickText(v), TextAnchor::middle, "dim");
     }
     svg_.line({left_, bottom_}, {right_, bottom_}, "class=\"axis\"");
     if (c_.reference)
       svg_.line({px(*c_.reference), kTop}, {px(*c_.reference), bottom_},
                 "class=\"axis\" stroke-width=\"1.5\"");
-    svg_.text({0.5 * (left_ + right_), bottom_ + 32}, c_.x_label, SvgAnchor::middle, "dim");
+    svg_.text({0.5 * (left_ + right_), bottom_ + 32}, c_.x_label, TextAnchor::middle, "dim");
   }
 
-  void drawBar(const std::optional<SvgBar>& bar, const SvgStyle& style, double y) {
+  void drawBar(const std::optional<SvgBar>& bar, const FigureStyle& style, double y) {
     if (!bar) {
-      svg_.text({left_ + 4, y + 4}, "-", SvgAnchor::start, "dim");
+      svg_.text({left_ + 4, y + 4}, "-", TextAnchor::start, "dim");
       return;
     }
-    const std::string fill = style.fill();
+    const std::string fill = svgFill(style);
     const bool dots = c_.log || c_.dots;
     if (!dots)
       svg_.rect({left_, y - 0.5 * row_ + 1}, std::max(0.0, px(bar->value) - left_), row_ - 2, fill);
@@ -112,15 +105,12 @@ class Bars {
 
   void drawLegend() {
     if (c_.series.size() < 2) return;
-    double x = 4, y = bottom_ + kBottom + 8;
+    LegendRows rows = legendOf(c_);
     for (const SvgBarSeries& s : c_.series) {
-      if (x > 4 && x + entryWidth(s) > c_.width) {
-        x = 4;
-        y += kLegendRow;
-      }
-      svg_.rect({x, y - 9}, 16, 10, s.style.fill());
-      svg_.text({x + 22, y}, s.name, SvgAnchor::start, "ink");
-      x += entryWidth(s);
+      const FigurePoint entry = rows.place(s.name);
+      const double x = entry.x, y = bottom_ + kBottom + 8 + entry.y;
+      svg_.rect({x, y - 9}, 16, 10, svgFill(s.style));
+      svg_.text({x + 22, y}, s.name, TextAnchor::start, "ink");
     }
   }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/figure/svg_plot.h"
+#include "engine/figure/svg.h"
 
 namespace svoscope {
 
@@ -22,7 +22,7 @@ struct SvgBarGroup {
 
 struct SvgBarSeries {
   std::string name;
-  SvgStyle style;
+  FigureStyle style;
 };
 
 struct SvgBarChart {

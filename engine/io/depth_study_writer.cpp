@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/figure/chart.h"
 #include "engine/io/png.h"
+#include "engine/io/rule_plots.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {
@@ -75,23 +75,8 @@ Json jsonOf(const DepthStudyResult& result) {
   return root;
 }
 
-template <typename Fill>
-ChartPanel panelOf(const DepthStudyResult& result, const char* title, const char* x, const char* y,
-                   const Fill& fill) {
-  constexpr ChartColor kColors[] = {ChartColor::blue, ChartColor::orange, ChartColor::green,
-                                    ChartColor::vermillion};
-  constexpr int kDashes[] = {0, 5, 12, 0};
-  ChartPanel panel{title, x, y, {}, false, true};
-  for (std::size_t i = 0; i < result.rows.size(); ++i) {
-    ChartSeries s{result.rows[i].rule, kColors[i % 4], kDashes[i % 4], {}, {}};
-    fill(result.rows[i], s);
-    panel.series.push_back(std::move(s));
-  }
-  return panel;
-}
-
 /// Distribution function of sorted values up to `most`, as a share of `total`.
-void distribution(const std::vector<double>& values, double most, double total, ChartSeries& s) {
+void distribution(const std::vector<double>& values, double most, double total, LineSeries& s) {
   constexpr int kSteps = 200;
   std::size_t below = 0;
   for (int i = 0; i <= kSteps; ++i) {
@@ -103,42 +88,42 @@ void distribution(const std::vector<double>& values, double most, double total, 
 }
 
 cv::Mat figureOf(const DepthStudyResult& result) {
-  const ChartPanel sweep =
-      panelOf(result, "What a gate on the inlier ratio lets through",
-              "Recall (right and accepted / all seeds)", "Wrong among accepted (fraction)",
-              [](const DepthStudyRow& r, ChartSeries& s) {
-                for (const GatePoint& p : r.sweep) {
-                  if (p.recall < 0.02) continue;  // a handful of seeds: noise
-                  s.x.push_back(p.recall);
-                  s.y.push_back(p.wrong);
-                }
-              });
-  const ChartPanel age =
-      panelOf(result, "Converged seeds", "Frames since the keyframe", "Fraction of all seeds",
-              [](const DepthStudyRow& r, ChartSeries& s) {
-                for (std::size_t i = 0; i < r.converged_by_age.size(); ++i) {
-                  s.x.push_back(static_cast<double>(i));
-                  s.y.push_back(r.converged_by_age[i]);
-                }
-              });
-  const ChartPanel error =
-      panelOf(result, "Relative depth error of accepted seeds", "Error / depth (%)",
-              "Fraction of all seeds below", [](const DepthStudyRow& r, ChartSeries& s) {
-                distribution(r.errors, 0.1, r.seeds, s);
-                for (double& x : s.x) x *= 100;
-              });
-  ChartPanel nees =
-      panelOf(result, "Calibration of accepted seeds", "|Error| / sigma",
-              "Fraction of accepted below", [](const DepthStudyRow& r, ChartSeries& s) {
-                distribution(r.normalised_errors, 6, r.accepted, s);
-              });
-  ChartSeries ideal{"Calibrated", ChartColor::grey, 3, {}, {}};
+  const LinePlot sweep =
+      rulePlot(result.rows, "What a gate on the inlier ratio lets through",
+               "Recall (right and accepted / all seeds)", "Wrong among accepted (fraction)",
+               [](const DepthStudyRow& r, LineSeries& s) {
+                 for (const GatePoint& p : r.sweep) {
+                   if (p.recall < 0.02) continue;  // a handful of seeds: noise
+                   s.x.push_back(p.recall);
+                   s.y.push_back(p.wrong);
+                 }
+               });
+  const LinePlot age = rulePlot(result.rows, "Converged seeds", "Frames since the keyframe",
+                                "Fraction of all seeds", [](const DepthStudyRow& r, LineSeries& s) {
+                                  for (std::size_t i = 0; i < r.converged_by_age.size(); ++i) {
+                                    s.x.push_back(static_cast<double>(i));
+                                    s.y.push_back(r.converged_by_age[i]);
+                                  }
+                                });
+  const LinePlot error =
+      rulePlot(result.rows, "Relative depth error of accepted seeds", "Error / depth (%)",
+               "Fraction of all seeds below", [](const DepthStudyRow& r, LineSeries& s) {
+                 distribution(r.errors, 0.1, r.seeds, s);
+                 for (double& x : s.x) x *= 100;
+               });
+  LinePlot nees = rulePlot(result.rows, "Calibration of accepted seeds", "|Error| / sigma",
+                           "Fraction of accepted below", [](const DepthStudyRow& r, LineSeries& s) {
+                             distribution(r.normalised_errors, 6, r.accepted, s);
+                           });
+  LineSeries ideal;
+  ideal.name = "Calibrated";
+  ideal.style = {"#7f7f7f", "2 2"};
   for (double x = 0; x <= 6; x += 0.05) {
     ideal.x.push_back(x);
     ideal.y.push_back(std::erf(x / std::sqrt(2.0)));
   }
   nees.series.push_back(std::move(ideal));
-  return drawCharts({sweep, age, error, nees}, 2);
+  return drawRaster({sweep, age, error, nees}, 2);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/figure/line_plot.h"
 #include "engine/figure/system_style.h"
 #include "engine/io/text_output.h"
 
@@ -13,67 +14,38 @@ namespace svoscope {
 
 namespace {
 
-std::vector<double> timesOf(const EvalResult& result) {
-  std::vector<double> times;
-  for (const PoseError& e : result.errors) times.push_back(e.timestamp);
-  return times;
-}
-
-/// x and y of a curve, with a NaN before each gap.
-template <typename X, typename Y>
-void fill(SvgCurve& curve, const EvalResult& result, const X& x, const Y& y) {
-  const std::vector<std::size_t> gaps = gapsIn(timesOf(result));
-  for (std::size_t i = 0; i < result.errors.size(); ++i) {
-    if (std::binary_search(gaps.begin(), gaps.end(), i)) {
-      curve.x.push_back(NAN);
-      curve.y.push_back(NAN);
-    }
-    curve.x.push_back(x(result.errors[i]));
-    curve.y.push_back(y(result.errors[i]));
-  }
-}
-
-SvgPlot trajectoryPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& estimates) {
+LinePlot trajectoryPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& estimates) {
   std::vector<Vec3> truth;
   for (const StampedPose& pose : ground_truth) truth.push_back(pose.T_world_cam.translation());
   const PlotPlane plane = planeOf(truth);
-  SvgPlot plot;
+  LinePlot plot;
   plot.title = "Trajectories after alignment";
   plot.x_label = plane.uLabel();
   plot.y_label = plane.vLabel();
   plot.equal_axes = true;
   plot.height = 520;
-  SvgCurve gt;
-  gt.name = "ground truth";
-  gt.width = 1.2;
-  for (const Vec3& p : truth) {
-    gt.x.push_back(p[plane.u]);
-    gt.y.push_back(p[plane.v]);
-  }
-  plot.curves.push_back(std::move(gt));
+  plot.series.push_back(truthPath(truth, plane));
+  plot.series.back().name = "ground truth";
+  plot.series.back().width = 1.2;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
-    SvgCurve curve{estimates[i].name, otherStyle(static_cast<int>(i)), {}, {}};
-    fill(
-        curve, estimates[i].result, [&](const PoseError& e) { return e.position_est[plane.u]; },
-        [&](const PoseError& e) { return e.position_est[plane.v]; });
-    plot.curves.push_back(std::move(curve));
+    plot.series.push_back(pathOf(estimates[i].result, otherStyle(static_cast<int>(i)), plane));
+    plot.series.back().name = estimates[i].name;
   }
   return plot;
 }
 
-SvgPlot errorPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& estimates) {
-  SvgPlot plot;
+LinePlot errorPlot(const Trajectory& ground_truth, const std::vector<NamedEval>& estimates) {
+  LinePlot plot;
   plot.title = "Position error";
   const bool rows = !estimates.empty() && estimates[0].result.options.by_row;
   plot.x_label = rows ? "row" : "time since the first pose of the ground truth, s";
   plot.y_label = "error, m";
   for (std::size_t i = 0; i < estimates.size(); ++i) {
-    SvgCurve curve{estimates[i].name, otherStyle(static_cast<int>(i)), {}, {}};
-    fill(
-        curve, estimates[i].result,
+    plot.series.push_back(seriesOf(
+        estimates[i].result, otherStyle(static_cast<int>(i)),
         [&](const PoseError& e) { return e.timestamp - ground_truth.front().timestamp; },
-        [](const PoseError& e) { return e.error_m; });
-    plot.curves.push_back(std::move(curve));
+        [](const PoseError& e) { return e.error_m; }));
+    plot.series.back().name = estimates[i].name;
   }
   return plot;
 }
@@ -126,15 +98,49 @@ std::vector<std::size_t> gapsIn(const std::vector<double>& times, double medians
   return gaps;
 }
 
+LineSeries seriesOf(const EvalResult& result, const FigureStyle& style, const PoseValue& x,
+                    const PoseValue& y, double gap_medians) {
+  std::vector<double> times;
+  for (const PoseError& e : result.errors) times.push_back(e.timestamp);
+  const std::vector<std::size_t> gaps = gapsIn(times, gap_medians);
+  LineSeries series;
+  series.style = style;
+  for (std::size_t i = 0; i < result.errors.size(); ++i) {
+    if (std::binary_search(gaps.begin(), gaps.end(), i)) {
+      series.x.push_back(NAN);
+      series.y.push_back(NAN);
+    }
+    series.x.push_back(x(result.errors[i]));
+    series.y.push_back(y(result.errors[i]));
+  }
+  return series;
+}
+
+LineSeries pathOf(const EvalResult& result, const FigureStyle& style, PlotPlane plane,
+                  double gap_medians) {
+  return seriesOf(
+      result, style, [plane](const PoseError& e) { return e.position_est[plane.u]; },
+      [plane](const PoseError& e) { return e.position_est[plane.v]; }, gap_medians);
+}
+
+LineSeries truthPath(const std::vector<Vec3>& positions, PlotPlane plane) {
+  LineSeries series;
+  for (const Vec3& p : positions) {
+    series.x.push_back(p[plane.u]);
+    series.y.push_back(p[plane.v]);
+  }
+  return series;
+}
+
 Status writeEvalPlots(const std::filesystem::path& folder, const Trajectory& ground_truth,
                       const std::vector<NamedEval>& estimates) {
   Status status = makeFolder(folder);
   if (status.ok())
     status = writeWhole(folder / "trajectories.svg",
-                        drawPlot(trajectoryPlot(ground_truth, estimates)).standalone());
+                        drawSvg(trajectoryPlot(ground_truth, estimates)).standalone());
   if (status.ok())
     status =
-        writeWhole(folder / "error.svg", drawPlot(errorPlot(ground_truth, estimates)).standalone());
+        writeWhole(folder / "error.svg", drawSvg(errorPlot(ground_truth, estimates)).standalone());
   if (status.ok()) status = writeWhole(folder / "errors.csv", errorsCsv(estimates));
   return status;
 }

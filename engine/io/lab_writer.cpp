@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/figure/chart.h"
 #include "engine/io/png.h"
+#include "engine/io/rule_plots.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {
@@ -38,46 +38,28 @@ std::string curvesCsv(const LabResult& result) {
   return csv;
 }
 
-/// Same rule, same look in every panel.
-ChartSeries seriesOf(std::size_t rule, const std::string& name) {
-  constexpr ChartColor kColors[] = {ChartColor::blue, ChartColor::orange, ChartColor::green,
-                                    ChartColor::vermillion};
-  constexpr int kDashes[] = {0, 5, 12, 0};
-  return {name, kColors[rule % 4], kDashes[rule % 4], {}, {}};
-}
-
 template <typename Value>
-ChartPanel curvePanel(const LabResult& result, const std::string& title, const std::string& unit,
-                      const Value& value) {
-  ChartPanel panel{title, "Measurements of a seed", unit, {}, false, true};
-  for (std::size_t i = 0; i < result.rows.size(); ++i) {
-    ChartSeries s = seriesOf(i, result.rows[i].rule);
-    for (const LabCurvePoint& p : result.rows[i].curve) {
-      s.x.push_back(p.update);
-      s.y.push_back(value(p));
-    }
-    panel.series.push_back(std::move(s));
-  }
-  return panel;
+LinePlot curvePlot(const LabResult& result, const std::string& title, const std::string& unit,
+                   const Value& value) {
+  return rulePlot(result.rows, title, "Measurements of a seed", unit,
+                  [&](const LabRow& row, LineSeries& s) {
+                    for (const LabCurvePoint& p : row.curve) {
+                      s.x.push_back(p.update);
+                      s.y.push_back(value(p));
+                    }
+                  });
 }
 
-ChartPanel sweepPanel(const LabResult& result) {
-  ChartPanel panel{"What a gate on the inlier ratio lets through",
-                   "Recall of the seeds that can converge right",
-                   "Wrong among accepted (fraction)",
-                   {},
-                   false,
-                   true};
-  for (std::size_t i = 0; i < result.rows.size(); ++i) {
-    ChartSeries s = seriesOf(i, result.rows[i].rule);
-    for (const GatePoint& p : result.rows[i].sweep) {
-      if (p.recall < 0.05) continue;  // a handful of seeds: noise
-      s.x.push_back(p.recall);
-      s.y.push_back(p.wrong);
-    }
-    panel.series.push_back(std::move(s));
-  }
-  return panel;
+LinePlot sweepPlot(const LabResult& result) {
+  return rulePlot(result.rows, "What a gate on the inlier ratio lets through",
+                  "Recall of the seeds that can converge right", "Wrong among accepted (fraction)",
+                  [](const LabRow& row, LineSeries& s) {
+                    for (const GatePoint& p : row.sweep) {
+                      if (p.recall < 0.05) continue;  // a handful of seeds: noise
+                      s.x.push_back(p.recall);
+                      s.y.push_back(p.wrong);
+                    }
+                  });
 }
 
 }  // namespace
@@ -87,14 +69,14 @@ Status writeLab(const std::filesystem::path& folder, const LabResult& result) {
   if (status.ok()) status = writeWhole(folder / "lab.csv", labCsv(result));
   if (status.ok()) status = writeWhole(folder / "curves.csv", curvesCsv(result));
   if (!status.ok()) return status;
-  ChartPanel error = curvePanel(result, "Median error of the inverse depth", "|mu - truth| (1/m)",
-                                [](const LabCurvePoint& p) { return p.median_error; });
-  ChartPanel sigma = curvePanel(result, "Median standard deviation", "sigma (1/m)",
-                                [](const LabCurvePoint& p) { return p.median_sigma; });
+  LinePlot error = curvePlot(result, "Median error of the inverse depth", "|mu - truth| (1/m)",
+                             [](const LabCurvePoint& p) { return p.median_error; });
+  LinePlot sigma = curvePlot(result, "Median standard deviation", "sigma (1/m)",
+                             [](const LabCurvePoint& p) { return p.median_sigma; });
   error.log_y = sigma.log_y = true;
-  const ChartPanel converged = curvePanel(result, "Converged seeds", "Fraction",
-                                          [](const LabCurvePoint& p) { return p.converged; });
-  return writePng(folder / "lab.png", drawCharts({error, sigma, converged, sweepPanel(result)}, 2));
+  const LinePlot converged = curvePlot(result, "Converged seeds", "Fraction",
+                                       [](const LabCurvePoint& p) { return p.converged; });
+  return writePng(folder / "lab.png", drawRaster({error, sigma, converged, sweepPlot(result)}, 2));
 }
 
 std::string labText(const LabResult& result) {

@@ -59,9 +59,9 @@ Trajectory truthOf(const SequenceFacts& facts) {
 }
 
 /// Where tracking was lost: places of the ground truth at the first frame of each loss.
-std::vector<SvgPoint> lossesOf(const RunResult& run, const SequenceFacts& facts,
-                               const Trajectory& truth, PlotPlane plane) {
-  std::vector<SvgPoint> marks;
+std::vector<FigurePoint> lossesOf(const RunResult& run, const SequenceFacts& facts,
+                                  const Trajectory& truth, PlotPlane plane) {
+  std::vector<FigurePoint> marks;
   const double step = facts.times.size() > 1 ? facts.times[1] - facts.times[0] : 0;
   double previous = -1e300;
   for (const double t : run.lost) {
@@ -78,35 +78,16 @@ std::vector<SvgPoint> lossesOf(const RunResult& run, const SequenceFacts& facts,
   return marks;
 }
 
-/// A curve over the matched poses of a run, interrupted where there are none.
-template <typename X, typename Y>
-SvgCurve curveOf(const EvalResult& evaluation, const SvgStyle& style, const X& x, const Y& y) {
-  SvgCurve curve;
-  curve.style = style;
-  std::vector<double> times;
-  for (const PoseError& e : evaluation.errors) times.push_back(e.timestamp);
-  const std::vector<std::size_t> gaps = gapsIn(times, kGapMedians);
-  for (std::size_t i = 0; i < evaluation.errors.size(); ++i) {
-    if (std::binary_search(gaps.begin(), gaps.end(), i)) {
-      curve.x.push_back(NAN);
-      curve.y.push_back(NAN);
-    }
-    curve.x.push_back(x(evaluation.errors[i]));
-    curve.y.push_back(y(evaluation.errors[i]));
-  }
-  return curve;
-}
-
 std::string pairName(const BenchResults& results, const Comparison& c) {
   return results.systems[c.a].system.label + " / " + results.systems[c.b].system.label;
 }
 
 }  // namespace
 
-SvgStyle systemStyle(const BenchResults& results, std::size_t system) {
+FigureStyle systemStyle(const BenchResults& results, std::size_t system) {
   const ResultSystem& s = results.systems[system];
   if (s.peer) return otherStyle(static_cast<int>(system) - results.own);
-  SvgStyle style = methodStyle(s.system.method);
+  FigureStyle style = methodStyle(s.system.method);
   static const char* kDashes[] = {"", "7 3", "2 2", "8 2 2 2"};
   static const double kOpacity[] = {1, 0.55, 0.3, 0.15};
   if (results.config.variants.size() > 1) style.dash = kDashes[s.system.variant % 4];
@@ -177,7 +158,7 @@ std::vector<std::string> trajectoryPanels(const BenchResults& results, std::size
     const RunResult* run = results.typical(s, m);
     const std::string& label = results.systems[m].system.label;
     if (results.systems[m].peer && !results.runs[s][m].front().present) continue;
-    SvgPlot plot;
+    LinePlot plot;
     plot.width = 330;
     plot.height = 270;
     plot.equal_axes = true;
@@ -188,30 +169,22 @@ std::vector<std::string> trajectoryPanels(const BenchResults& results, std::size
                      : fmt::format("{}: {}", label, run ? "no error known" : results.failure(s, m));
     // A reason may be a whole sentence.
     if (plot.title.size() > 44) plot.title = plot.title.substr(0, 41) + "...";
-    SvgCurve gt;
-    gt.width = 1.1;
-    for (const Vec3& p : places) {
-      gt.x.push_back(p[plane.u]);
-      gt.y.push_back(p[plane.v]);
-    }
-    plot.curves.push_back(std::move(gt));
+    plot.series.push_back(truthPath(places, plane));
+    plot.series.back().width = 1.1;
     if (run && run->evaluation) {
-      SvgStyle style = systemStyle(results, m);
+      FigureStyle style = systemStyle(results, m);
       style.dash.clear();  // alone in its panel; gaps shall be losses
-      SvgCurve curve = curveOf(
-          *run->evaluation, style, [&](const PoseError& e) { return e.position_est[plane.u]; },
-          [&](const PoseError& e) { return e.position_est[plane.v]; });
-      curve.width = 2;
-      plot.curves.push_back(std::move(curve));
+      plot.series.push_back(pathOf(*run->evaluation, style, plane, kGapMedians));
+      plot.series.back().width = 2;
       plot.losses = lossesOf(*run, facts, truth, plane);
     }
-    panels.push_back(drawPlot(plot).inlined());
+    panels.push_back(drawSvg(plot).inlined());
   }
   return panels;
 }
 
 std::string errorPanel(const BenchResults& results, std::size_t s) {
-  SvgPlot plot;
+  LinePlot plot;
   plot.title = "Position error over time";
   plot.x_label = "time since the first frame, s";
   plot.y_label = "error, m";
@@ -222,26 +195,25 @@ std::string errorPanel(const BenchResults& results, std::size_t s) {
   for (std::size_t m = 0; m < ownOf(results); ++m) {
     const RunResult* run = results.typical(s, m);
     if (!run || !run->evaluation) continue;
-    SvgCurve curve = curveOf(
+    plot.series.push_back(seriesOf(
         *run->evaluation, systemStyle(results, m),
         [&](const PoseError& e) { return e.timestamp - start; },
-        [](const PoseError& e) { return e.error_m; });
-    curve.name = results.systems[m].system.label;
+        [](const PoseError& e) { return e.error_m; }, kGapMedians));
+    plot.series.back().name = results.systems[m].system.label;
     low = std::min(low, run->evaluation->ate.median);
     high = std::max(high, run->evaluation->ate.max);
-    plot.curves.push_back(std::move(curve));
   }
-  if (plot.curves.empty()) return "";
+  if (plot.series.empty()) return "";
   // One run that goes astray would press all others onto the axis.
   plot.log_y = high > 30 * low;
   if (plot.log_y) {
-    for (SvgCurve& curve : plot.curves) {
-      for (double& v : curve.y) {
+    for (LineSeries& series : plot.series) {
+      for (double& v : series.y) {
         if (v < 1e-3 * low) v = NAN;  // a crossing of zero, not a result
       }
     }
   }
-  return drawPlot(plot).inlined();
+  return drawSvg(plot).inlined();
 }
 
 }  // namespace svoscope

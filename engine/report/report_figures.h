@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/bench/bench_results.h"
-#include "engine/figure/svg_plot.h"
+#include "engine/figure/line_plot.h"
 #include "engine/report/comparison.h"
 
 namespace svoscope {
@@ -19,7 +19,7 @@ struct ReportFigure {
 
 /// How a column is drawn: our methods in their colours, variants dashed differently, others in
 /// theirs.
-SvgStyle systemStyle(const BenchResults& results, std::size_t system);
+FigureStyle systemStyle(const BenchResults& results, std::size_t system);
 
 /// ATE of all systems by sequence, logarithmic; whiskers from the best to the worst run.
 ReportFigure ateFigure(const BenchResults& results);

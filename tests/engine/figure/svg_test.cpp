@@ -37,30 +37,9 @@ TEST(Axis, TicksAreRoundAndInside) {
 TEST(Svg, TextsAreEscaped) {
   EXPECT_EQ(xmlEscaped("a<b & \"c\"\x01"), "a&lt;b &amp; &quot;c&quot;?");
   Svg svg(10, 10, "<label>");
-  svg.text({0, 0}, "x & y", SvgAnchor::start, "ink");
+  svg.text({0, 0}, "x & y", TextAnchor::start, "ink");
   EXPECT_NE(svg.inlined().find("x &amp; y"), std::string::npos);
   EXPECT_NE(svg.inlined().find("&lt;label&gt;"), std::string::npos);
-}
-
-TEST(SvgPlot, CurvesAreInterruptedWhereThereIsNoValue) {
-  SvgPlot plot;
-  plot.curves.push_back({"a", {"#123456", ""}, {0, 1, 2, 3, 4}, {1, 2, NAN, 2, 1}});
-  EXPECT_EQ(count(drawPlot(plot).inlined(), "<polyline"), 2);
-  plot.losses = {{1, 1}};
-  EXPECT_EQ(count(drawPlot(plot).inlined(), "<path"), 1);
-}
-
-TEST(SvgPlot, EqualAxesHaveOneScale) {
-  SvgPlot plot;
-  plot.equal_axes = true;
-  plot.curves.push_back({"", {"#123456", ""}, {0, 10, 10, 0, 0}, {0, 0, 1, 1, 0}});
-  const std::string svg = drawPlot(plot).inlined();
-  const std::size_t at = svg.find("points=\"") + 8;
-  double x[3], y[3];
-  ASSERT_EQ(std::sscanf(svg.c_str() + at, "%lf,%lf %lf,%lf %lf,%lf", &x[0], &y[0], &x[1], &y[1],
-                        &x[2], &y[2]),
-            6);
-  EXPECT_NEAR((x[1] - x[0]) / 10, y[1] - y[2], 0.2);
 }
 
 TEST(SvgBars, MissingValuesAreADash) {
