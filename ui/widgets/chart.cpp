@@ -6,6 +6,7 @@
 
 #include "ui/palette.h"
 #include "ui/theme.h"
+#include "ui/widgets/axis_draw.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
@@ -101,21 +102,9 @@ void Chart::axes(const ChartSpec& spec) {
   const float font = ImGui::GetFontSize();
   pen::rectFilled(list_, lo_, hi_, ink::canvas);
   const int count = std::max(3, static_cast<int>((hi_.y - lo_.y) / (font * 1.8f)));
-  const auto ticks = spec.log_y ? logTicks(y_.data, count) : linearTicks(y_.data, count);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : y_.data.span();
-  float free_below =
-      hi_.y + font;  // ticks go upwards; labels that would lie on one another are left out
-  for (const double t : ticks) {
-    const float y = std::round(y_.toPixel(t));
-    if (!spec.y_ticks || y < lo_.y - 1 || y > hi_.y + 1) continue;
-    pen::line(list_, {lo_.x, y}, {hi_.x, y}, ink::grid);
-    const std::string text = tickText(t, step, spec.log_y);
-    const float w = ImGui::CalcTextSize(text.c_str()).x;
-    const float ty = std::round(std::clamp(y - font / 2, lo_.y - font * 0.2f, hi_.y - font * 0.8f));
-    if (ty + font > free_below) continue;
-    free_below = ty;
-    pen::text(list_, {lo_.x - w - grid(1), ty}, ink::dim, text.c_str());
-  }
+  if (spec.y_ticks)
+    drawYTicks(list_, lo_, hi_, y_, count,
+               [&](double t, double step) { return tickText(t, step, spec.log_y); });
   if (!spec.y_label.empty()) {
     const float y = lo_.y - font * static_cast<float>(1 + spec.mark_rows) - grid(0.25f);
     pen::text(list_, {start_.x, std::round(y)}, ink::dim, spec.y_label.c_str());

@@ -6,6 +6,7 @@
 
 #include "ui/palette.h"
 #include "ui/theme.h"
+#include "ui/widgets/axis_draw.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/pen.h"
 
@@ -13,29 +14,12 @@ namespace svoscope::ui {
 
 namespace {
 
-std::string yLabel(const PlotFrame& f, double tick, double step) {
-  return f.y.log ? logTickLabel(tick) : tickLabel(tick, step);
-}
-
-// The values' axis. Labels that would lie on one another are left out, their lines stay.
 void drawYAxis(const PlotFrame& f) {
-  const float font = ImGui::GetFontSize();
-  const int count = std::max(3, static_cast<int>((f.hi.y - f.lo.y) / (font * 1.7f)));
-  const auto ticks = f.y.log ? logTicks(f.y.data, count) : linearTicks(f.y.data, count);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : niceStep(f.y.data.span(), count);
-  float free_below = f.hi.y + font;  // ticks go upwards
-  for (const double t : ticks) {
-    const float y = std::round(f.y.toPixel(t));
-    if (y < f.lo.y || y > f.hi.y) continue;
-    pen::line(f.list, {f.lo.x, y}, {f.hi.x, y}, ink::grid);
-    const std::string text = yLabel(f, t, step);
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    const float ty =
-        std::round(std::clamp(y - font / 2, f.lo.y - font * 0.2f, f.hi.y - font * 0.8f));
-    if (ty + font > free_below) continue;
-    free_below = ty;
-    pen::text(f.list, {f.lo.x - width - grid(1), ty}, ink::dim, text.c_str());
-  }
+  const int count =
+      std::max(3, static_cast<int>((f.hi.y - f.lo.y) / (ImGui::GetFontSize() * 1.7f)));
+  drawYTicks(f.list, f.lo, f.hi, f.y, count, [&](double tick, double step) {
+    return f.y.log ? logTickLabel(tick) : tickLabel(tick, step);
+  });
 }
 
 void drawXAxis(const PlotFrame& f, bool labels) {

@@ -16,40 +16,16 @@ double logOf(double v) { return std::log10(std::max(v, kSmallest)); }
 
 }  // namespace
 
-double niceStep(double span, int max_count) {
-  if (!(span > 0) || !std::isfinite(span)) return 1;
-  const double raw = span / std::max(1, max_count);
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double m : {1.0, 2.0, 5.0, 10.0}) {
-    if (m * power >= raw * (1 - 1e-9)) return m * power;
-  }
-  return 10 * power;
-}
-
 std::vector<double> linearTicks(Range range, int max_count) {
-  std::vector<double> ticks;
-  if (!(range.span() > 0) || !std::isfinite(range.span()) || max_count < 1) return ticks;
-  const double step = niceStep(range.span(), max_count);
-  const double first = std::ceil(range.lo / step - 1e-9);
-  for (double k = first; k * step <= range.hi + 1e-9 * step; k += 1) {
-    ticks.push_back(k == 0 ? 0.0 : k * step);
-    if (ticks.size() > 1000) break;  // a range far from zero, too narrow for doubles
-  }
-  return ticks;
+  if (!(range.span() > 0) || !std::isfinite(range.span()) || max_count < 1) return {};
+  return svoscope::linearTicks(range.lo, range.hi, niceStep(range.span(), max_count));
 }
 
 namespace {
 
 /// Multiples of the powers of ten inside the range, rising.
 std::vector<double> multiples(Range range, const std::vector<double>& factors) {
-  std::vector<double> ticks;
-  for (double e = std::floor(logOf(range.lo)); e <= logOf(range.hi); e += 1) {
-    for (const double factor : factors) {
-      const double tick = factor * std::pow(10.0, e);
-      if (tick >= range.lo * (1 - 1e-9) && tick <= range.hi * (1 + 1e-9)) ticks.push_back(tick);
-    }
-  }
-  return ticks;
+  return decadeTicks(std::max(range.lo, kSmallest), range.hi, factors);
 }
 
 std::vector<double> thinned(const std::vector<double>& ticks, int max_count) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/axis.h"  // niceStep: the step that linearTicks uses
+
 namespace svoscope::ui {
 
 struct Range {
@@ -21,8 +23,6 @@ std::vector<double> linearTicks(Range range, int max_count);
 /// and 5 times them, or every multiple; in a range so narrow that a log axis is nearly linear,
 /// linear ticks.
 std::vector<double> logTicks(Range range, int max_count);
-/// The 1-2-5 step that linearTicks uses.
-double niceStep(double span, int max_count);
 /// Shortest text that tells neighbouring ticks apart; "k" and "M" for thousands and millions.
 std::string tickLabel(double value, double step);
 /// The same on a log axis, where every tick has a step of its own.
