@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include "ui/layout_view.h"
 #include "ui/palette.h"
-#include "ui/panels/panel_export.h"
+#include "ui/panels/panel.h"
+#include "ui/panels/run/window_bars.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -19,29 +19,6 @@ namespace svoscope::ui {
 namespace {
 
 constexpr std::uint32_t kRunSlots = 100;  // textures of a run's panels
-
-const std::map<std::string, void (*)(PanelContext&)>& panelTable() {
-  static const std::map<std::string, void (*)(PanelContext&)> table{
-      {"Image", drawImagePanel},
-      {"3-D", drawScenePanel},
-      {"Seed", drawSeedPanel},
-      {"Epipolar search", drawEpipolarPanel},
-      {"KL / JS", drawDivergencePanel},
-      {"Filter lab", drawLabPanel},
-      {"Plots", drawPlotsPanel},
-      {"Timing", drawTimingPanel},
-      {"Funnel", drawFunnelPanel},
-      {"Selection", drawSelectionPanel},
-      {"Evaluation", drawEvaluationPanel},
-      {"Compare images", drawCompareImagesPanel},
-      {"Compare 3-D", drawCompareScenePanel},
-      {"Compare metrics", drawCompareMetricsPanel},
-      {"Compare plots", drawComparePlotsPanel},
-      {"Parameters", drawParametersPanel},
-      {"Log", drawLogPanel},
-      {"Help", drawHelpPanel}};
-  return table;
-}
 
 bool beginFixed(const char* name, ImVec2 lo, ImVec2 hi, ImU32 color, ImVec2 padding) {
   ImGui::SetCursorScreenPos(lo);
@@ -106,13 +83,13 @@ void Inspector::switchRun() {
   const Status status = runs_.setCurrent(next);
   if (!status.ok()) return state_.toasts.add(status.error().message(), true);
   RunView& left = views_[static_cast<std::size_t>(before)];
-  left = {state_.selection, state_.highlighted, state_.seed.pinned, state_.divergence,
+  left = {state_.selection, state_.highlighted, state_.seed.pinned, std::move(state_.run_options),
           state_.scene};
-  const RunView& entered = views_[static_cast<std::size_t>(next)];
+  RunView& entered = views_[static_cast<std::size_t>(next)];
   state_.selection = entered.selection;
   state_.highlighted = entered.highlighted;
   state_.seed.pinned = entered.pinned;
-  state_.divergence = entered.divergence;
+  state_.run_options = std::move(entered.run_options);
   // Maps differ in scale and direction: each has a viewpoint of its own, the filters are shared.
   const SceneOptions &from = entered.scene, filters = state_.scene;
   state_.scene = filters;
@@ -130,12 +107,10 @@ void Inspector::updateRuns() {
     RunView& view = views_[static_cast<std::size_t>(i)];
     view = RunView();
     state_.viewed_frame = -1;
-    state_.compare_scene.fitted = false;
     if (i != runs_.current()) continue;
     state_.selection = {};
     state_.highlighted.clear();
     state_.seed.pinned.clear();
-    state_.divergence.brushed = false;
     state_.scene.fitted = false;
   }
 }
@@ -215,12 +190,7 @@ void Inspector::drawBody(PanelContext& context) {
   LayoutView view;
   view.maximized = &state_.maximized;
   view.draw_panel = [&](const std::string& panel) {
-    const auto found = panelTable().find(panel);
-    if (found == panelTable().end()) return;
-    drawExporting(context, panel, found->second);
-  };
-  view.exportable = [](const std::string& panel) {
-    return panel != "Help" && panel != "Parameters";
+    if (const Panel* found = findPanel(panel)) drawExporting(context, *found);
   };
   if (transport_top - top > grid(4)) {
     drawLayout(state_.layout, {0, top + grid(0.5f)}, {display.x, transport_top - grid(1)}, view);
@@ -231,7 +201,7 @@ void Inspector::drawBody(PanelContext& context) {
   if (transport > 0) {
     const ImVec2 lo{0, transport_top}, hi{display.x, status_top};
     if (beginFixed("##transport", lo, hi, ink::panel, {grid(2), grid(1.5f)}))
-      drawTransportPanel(context);
+      drawTransportBar(context);
     ImGui::EndChild();
     Probe::record("panel:Transport", lo, hi);
   }
@@ -254,7 +224,7 @@ void Inspector::drawHelp(PanelContext& context) {
   if (ImGui::Begin("Help", &state_.show_help,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
-    drawHelpPanel(context);
+    findPanel("Help")->draw(context);
   }
   ImGui::End();
   ImGui::PopStyleVar();

@@ -11,10 +11,13 @@
 #include "ui/content.h"
 #include "ui/model/runs.h"
 #include "ui/model/ui_state.h"
+#include "ui/panels/compare/compare_data.h"
 #include "ui/panels/panel_context.h"
 #include "ui/render/slot_graphics.h"
 
 namespace svoscope::ui {
+
+struct Panel;
 
 class Inspector : public UiContent {
  public:
@@ -51,7 +54,7 @@ class Inspector : public UiContent {
     Selection selection;
     std::set<std::int64_t> highlighted;
     std::vector<std::int64_t> pinned;
-    DivergenceOptions divergence;
+    TypedStore run_options;
     SceneOptions scene;
   };
 
@@ -67,8 +70,7 @@ class Inspector : public UiContent {
   void drawRunMenu(PanelContext& context);
   void drawViewMenu();
   void drawRunTabs();
-  void drawExporting(PanelContext& context, const std::string& panel,
-                     void (*draw_panel)(PanelContext&));
+  void drawExporting(PanelContext& context, const Panel& panel);
   void openExportMenu(const std::string& panel);
   void drawExportMenu(PanelContext& context);
   void finishExport(PanelContext& context);

@@ -27,21 +27,20 @@ bool item(const char* label) {
 }  // namespace
 
 /// Notes what the panel draws if it is to be saved as SVG.
-void Inspector::drawExporting(PanelContext& context, const std::string& panel,
-                              void (*draw_panel)(PanelContext&)) {
+void Inspector::drawExporting(PanelContext& context, const Panel& panel) {
   const auto& request = state_.export_request;
-  if (!request || request->panel != panel || !isSvg(*request)) return draw_panel(context);
+  if (!request || request->panel != panel.name || !isSvg(*request)) return panel.draw(context);
   const ExportRequest wanted = *std::exchange(state_.export_request, std::nullopt);
   std::string svg;
   {
     Figure figure;
-    draw_panel(context);
+    panel.draw(context);
     if (!figure.empty()) svg = figure.svg(ink::panel);
   }
-  const Status written = svg.empty()
-                             ? Status(usageError("the panel " + panel + " shows no chart yet",
-                                                 panel, "the panel says what it needs"))
-                             : writeExport(wanted.file, svg);
+  const Status written =
+      svg.empty() ? Status(usageError("the panel " + wanted.panel + " shows no chart yet",
+                                      wanted.panel, "the panel says what it needs"))
+                  : writeExport(wanted.file, svg);
   reportExport(wanted, written);
 }
 
@@ -50,15 +49,17 @@ void Inspector::finishExport(PanelContext& context) {
   if (state_.picture_delay > 0) --state_.picture_delay;
   if (!state_.export_request || std::exchange(state_.export_request->fresh, false)) return;
   const ExportRequest request = *std::exchange(state_.export_request, std::nullopt);
+  const Panel* panel = findPanel(request.panel);
   Status written = Done{};
-  if (isSvg(request)) {
-    written = exportsCharts(request.panel)
-                  ? usageError("the panel " + request.panel + " is not on screen", request.panel,
-                               "show it first")
-                  : usageError("the panel " + request.panel + " has no charts", request.panel,
-                               "export it as .png");
+  if (!panel) {
+    written = usageError("no panel is called '" + request.panel + "'", "", "");
+  } else if (isSvg(request)) {
+    written = panel->charts ? usageError("the panel " + request.panel + " is not on screen",
+                                         request.panel, "show it first")
+                            : usageError("the panel " + request.panel + " has no charts",
+                                         request.panel, "export it as .png");
   } else {
-    const Result<std::string> text = panelCsv(context, request.panel);
+    const Result<std::string> text = panelCsv(context, *panel);
     written = text.ok() ? writeExport(request.file, text.value()) : Status(text.error());
   }
   reportExport(request, written);
@@ -79,17 +80,18 @@ void Inspector::drawExportMenu(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {grid(2), grid(2)});
   if (ImGui::BeginPopup("##export_menu")) {
     const std::string& panel = state_.export_menu;
+    const Panel* found = findPanel(panel);
     const auto file = [&](const char* extension) {
       return (std::filesystem::path(state_.output_folder) / exportName(context, panel, extension))
           .string();
     };
-    if (exportsNumbers(panel) && item("Numbers, CSV"))
+    if (found && found->csv && item("Numbers, CSV"))
       state_.export_request = ExportRequest{panel, file(".csv"), false, true};
     if (item("Picture, PNG")) {
       state_.picture_request = ExportRequest{panel, file(".png"), false, true};
       state_.picture_delay = 3;
     }
-    if (exportsCharts(panel) && item("Charts, SVG"))
+    if (found && found->charts && item("Charts, SVG"))
       state_.export_request = ExportRequest{panel, file(".svg"), false, true};
     ImGui::EndPopup();
   }

@@ -8,6 +8,7 @@
 #include "ui/palette.h"
 #include "ui/panels/compare/compare_panel.h"
 #include "ui/panels/export.h"
+#include "ui/panels/panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
@@ -96,7 +97,8 @@ void Inspector::drawViewMenu() {
   }
   if (menuItem("Reset layout")) showPreset(state_.layout.name);
   ImGui::Separator();
-  for (const std::string& panel : panelNames()) {
+  for (const Panel* each : panels()) {
+    const std::string panel = each->name;
     const bool shown = hasPanel(state_.layout.root, panel);
     const std::string label = panel + " panel";
     if (!menuItem(label.c_str(), nullptr, shown)) continue;

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "ui/panels/panel.h"
+
 namespace svoscope::ui {
 
 namespace {
@@ -72,9 +74,7 @@ struct Parser {
         node.active = static_cast<int>(node.panels.size());
         name.erase(0, 1);
       }
-      const auto& known = panelNames();
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        return layoutError("there is no panel \"" + name + "\"");
+      if (!findPanel(name)) return layoutError("there is no panel \"" + name + "\"");
       node.panels.push_back(name);
     }
     return node;
@@ -116,19 +116,6 @@ Layout& Layout::operator=(const Layout& o) {
 const std::vector<std::string>& presetNames() {
   static const std::vector<std::string> names{"Tracking",   "Seeds",   "KL / JS",
                                               "Evaluation", "Compare", "Image only"};
-  return names;
-}
-
-const std::vector<std::string>& panelNames() {
-  static const std::vector<std::string> names{"Image",         "3-D",
-                                              "Seed",          "Epipolar search",
-                                              "KL / JS",       "Filter lab",
-                                              "Plots",         "Timing",
-                                              "Funnel",        "Selection",
-                                              "Evaluation",    "Compare images",
-                                              "Compare 3-D",   "Compare metrics",
-                                              "Compare plots", "Parameters",
-                                              "Log",           "Help"};
   return names;
 }
 

@@ -33,8 +33,6 @@ const std::vector<std::string>&
 presetNames();  ///< "Tracking", "Seeds", "KL / JS", "Evaluation", "Compare", "Image only"
 Layout presetLayout(const std::string& name);  ///< "Tracking" if unknown
 
-const std::vector<std::string>& panelNames();  ///< every panel that can be in a layout
-
 std::string layoutText(const Layout& layout);
 /// The error says what is not understood; unknown panels are errors, too.
 Result<Layout> parseLayout(const std::string& text);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -43,8 +44,9 @@ void tab(const std::string& name, ImVec2 at, float width, bool active, bool& cli
 }
 
 // Label of the button: an arrow where the tabs need the room; empty if there is nothing to export.
-std::string exportLabel(const std::string& panel, float room, const LayoutView& view) {
-  if (!view.exportable || !view.exportable(panel)) return "";
+std::string exportLabel(const std::string& panel, float room) {
+  const Panel* found = findPanel(panel);
+  if (!found || !found->exportable) return "";
   return tabWidth("Export") <= room ? "Export" : "↓";
 }
 
@@ -85,7 +87,7 @@ void titleBar(LayoutNode& node, ImVec2 lo, ImVec2 hi, LayoutView& view) {
   const std::string& active = node.panels[static_cast<std::size_t>(node.active)];
   float all = 0;
   for (const std::string& name : node.panels) all += tabWidth(name);
-  const std::string label = exportLabel(active, hi.x - lo.x - all, view);
+  const std::string label = exportLabel(active, hi.x - lo.x - all);
   const std::vector<float> widths =
       tabWidths(node, hi.x - lo.x - (label.empty() ? 0 : tabWidth(label)));
   float x = lo.x;

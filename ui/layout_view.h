@@ -13,10 +13,9 @@ namespace svoscope::ui {
 
 struct LayoutView {
   std::function<void(const std::string& panel)> draw_panel;
-  std::string* maximized = nullptr;                          ///< panel shown alone, or empty
-  std::function<bool(const std::string& panel)> exportable;  ///< gets a button in its title bar
-  std::string export_clicked;  ///< panel whose button was pressed in this frame
-  bool changed = false;        ///< by the user in this frame
+  std::string* maximized = nullptr;  ///< panel shown alone, or empty
+  std::string export_clicked;        ///< panel whose button was pressed in this frame
+  bool changed = false;              ///< by the user in this frame
 };
 
 /// Fills the rectangle lo..hi of the current window.

@@ -9,6 +9,7 @@
 #include "ui/harness/inspector_options.h"
 #include "ui/harness/seed_values.h"
 #include "ui/model/seed_trace.h"
+#include "ui/panels/panel.h"
 #include "ui/widgets/probe.h"
 
 namespace svoscope::ui {
@@ -46,6 +47,12 @@ std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return "known: " + text;
+}
+
+Error noSuchPanel(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Panel* panel : panels()) names.emplace_back(panel->name);
+  return usageError("no panel is called '" + name + "'", "", listed(names));
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -123,9 +130,7 @@ Status InspectorTarget::showPanel(const std::string& name) {
     state_.maximized.clear();
     return Done{};
   }
-  if (!contains(panelNames(), name)) {
-    return usageError("no panel is called '" + name + "'", "", listed(panelNames()));
-  }
+  if (!findPanel(name)) return noSuchPanel(name);
   if (!hasPanel(state_.layout.root, name)) ui::showPanel(state_.layout.root, name);
   raisePanel(state_.layout.root, name);
   state_.maximized = name;
@@ -133,9 +138,7 @@ Status InspectorTarget::showPanel(const std::string& name) {
 }
 
 Status InspectorTarget::panelOnScreen(const std::string& name) const {
-  if (!contains(panelNames(), name)) {
-    return usageError("no panel is called '" + name + "'", "", listed(panelNames()));
-  }
+  if (!findPanel(name)) return noSuchPanel(name);
   if (!state_.maximized.empty() && state_.maximized != name) {
     return usageError(
         "the panel " + name + " is not on screen: " + state_.maximized + " is shown alone", "",
@@ -162,9 +165,7 @@ Status InspectorTarget::setLayout(const std::string& name) {
 }
 
 Status InspectorTarget::requestExport(const std::string& panel, const std::string& file) {
-  if (!contains(panelNames(), panel)) {
-    return usageError("no panel is called '" + panel + "'", "", listed(panelNames()));
-  }
+  if (!findPanel(panel)) return noSuchPanel(panel);
   state_.export_request = ExportRequest{panel, file, true, true};
   state_.export_error = "the panel was not drawn";
   return Done{};

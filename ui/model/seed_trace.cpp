@@ -62,10 +62,10 @@ ViewedUpdate viewedUpdate(PanelContext& c) {
   std::vector<std::int64_t> ids = o.pinned;
   const Selection& selected = c.state.selection;
   if (selected.kind == Selection::Kind::seed) ids.push_back(selected.id);
-  c.caches.traces.update(c.runner, ids, c.latest);
+  c.cache<SeedTraces>().update(c.runner, ids, c.latest);
   ViewedUpdate v;
   if (selected.kind != Selection::Kind::seed) return v;
-  v.trace = c.caches.traces.find(selected.id);
+  v.trace = c.cache<SeedTraces>().find(selected.id);
   if (!v.trace) return v;
   const int count = static_cast<int>(v.trace->updates.size());
   if (o.update_frame != c.viewedFrame() || o.update_seed != selected.id) o.update = -1;

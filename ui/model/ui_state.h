@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the user looks at and how: plain values that panels read and write. One selection, one
-// viewed frame, shared by all panels.
+// viewed frame, shared by all panels. What a single panel alone needs it keeps in `options`.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/layout.h"
+#include "ui/model/typed_store.h"
 #include "ui/widgets/image_view.h"
 #include "ui/widgets/plot.h"
 #include "ui/widgets/toasts.h"
@@ -89,26 +90,6 @@ struct SearchLine {
   bool matched = false;
 };
 
-/// The Compare panels.
-struct CompareOptions {
-  bool features = true, seeds = false;  ///< over the images
-  ImageViewState view;                  ///< of all images alike
-};
-
-struct DivergenceOptions {
-  bool whole_run = true;       ///< else the viewed frame only
-  bool brush_changed = false;  ///< the highlighted seeds must be found again
-  bool brushed = false;        ///< a rectangle is drawn in the scatter
-  double x_lo = 0, x_hi = 0, y_lo = 0, y_hi = 0;
-};
-
-/// What the filter lab's sliders stand at.
-struct LabSettings {
-  float mu = 1, sigma = 0.25f, offset = 0.6f, tau = 0.15f;  ///< two Gaussians; offset = x - mu
-  float baseline = 0.15f, depth = 2.5f, pixel_noise = 4, focal = 525;  ///< two views: m, m, px, px
-  float outliers = 0.2f, hopeless = 0.2f, noise = 0.4f, step_m = 0.01f, seeds = 2000;
-};
-
 /// A panel to be written into a file; CSV and SVG by the inspector, PNG by who has the pixels.
 struct ExportRequest {
   std::string panel, file;
@@ -124,28 +105,19 @@ struct UiState {
   SeedOptions seed;
   SearchHover search_hover;
   SearchLine search_line;
-  DivergenceOptions divergence;
-  CompareOptions compare;
-  SceneOptions compare_scene;
-  int run_request = -1;  ///< run to become the current one in the next UI frame
-  LabSettings lab;
-  int lab_section = 0;    ///< divergences, two views, population, all
-  bool lab_wait = false;  ///< hold the window until the population is simulated; for scripts
-  std::uint64_t lab_random_seed = 0;
+  TypedStore options;                  ///< of single panels, for the window
+  TypedStore run_options;              ///< of single panels, for the current run
+  int run_request = -1;                ///< run to become the current one in the next UI frame
   std::set<std::int64_t> highlighted;  ///< seeds, by a brush
   LinkedX linked_x;                    ///< of all plots over frames
   std::map<std::string, PlotState> plots;
-  std::set<std::string> plot_groups{"Features", "Time"};
   Layout layout = presetLayout("Tracking");
   std::string maximized;  ///< panel title, or empty
   bool show_help = false;
   bool show_transport = true, show_status = true;
   float ui_scale = 1;
-  float image_fit = 1;  ///< zoom at which the image fits its panel, for the zoom keys
-  int speed = 0;        ///< index into the transport's speeds
-  int run_to = 100;     ///< frame typed for "Run to frame"
-  int align_mode = 2;   ///< none, SE(3), Sim(3)
-  std::string log_filter, parameter_filter;
+  float image_fit = 1;              ///< zoom at which the image fits its panel, for the zoom keys
+  int align_mode = 2;               ///< none, SE(3), Sim(3)
   std::string output_folder = ".";  ///< of exports and screenshots
   Toasts toasts;
   std::optional<std::string> screenshot;

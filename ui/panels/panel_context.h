@@ -3,43 +3,27 @@
 #pragma once
 
 #include <memory>
-#include <tuple>
+#include <string>
 #include <vector>
 
 #include "engine/runner/runner.h"
 #include "ui/model/run_cache.h"
 #include "ui/model/runs.h"
-#include "ui/model/search_cache.h"
-#include "ui/model/seed_trace.h"
 #include "ui/model/selection_history.h"
 #include "ui/model/truth.h"
 #include "ui/model/ui_state.h"
-#include "ui/panels/compare/compare_scene.h"
-#include "ui/panels/filter/divergence_view.h"
-#include "ui/panels/filter/filter_stats.h"
-#include "ui/panels/filter/lab_view.h"
-#include "ui/panels/scene/scene_content.h"
-#include "ui/panels/scene/trails.h"
 #include "ui/render/graphics.h"
 
 namespace svoscope::ui {
 
-/// Derived data that lives longer than one UI frame.
+class CompareData;
+
+/// Data derived from a run that lives longer than one UI frame.
 struct PanelCaches {
   RunCache run;
   Truth truth;
   SelectionHistory selection;
-  Trails trails;
-  SceneContent scene;
-  CompareScene compare_scene;
-  SeedTraces traces;
-  SearchCache search;
-  FilterStats filter;
-  DivergenceView divergence;
-  LabWorker lab;
-  std::tuple<int, double, double, double, double, std::uint64_t>
-      lab_key;  ///< what the worker was started with
-  SeparationCurves separation;
+  TypedStore own;  ///< of single panels
 };
 
 /// First and last frame that any run has; lo > hi if none has one.
@@ -72,6 +56,22 @@ struct PanelContext {
     return status.recorded && !records.empty() ? records.back().index : engineFrame();
   }
 
+  /// What the user chose in a panel: a struct of the panel's own, made when first asked for.
+  template <typename Options>
+  Options& options() const {
+    return state.options.get<Options>();
+  }
+  /// The same for a choice that makes sense for this run only; each run has its own.
+  template <typename Options>
+  Options& runOptions() const {
+    return state.run_options.get<Options>();
+  }
+  /// What a panel derived from the current run and keeps from one UI frame to the next.
+  template <typename Cache>
+  Cache& cache() const {
+    return caches.own.get<Cache>();
+  }
+
   bool live() const { return state.viewed_frame < 0; }
   int engineFrame() const { return newest; }
   int viewedFrame() const { return live() ? engineFrame() : state.viewed_frame; }
@@ -96,28 +96,6 @@ struct PanelContext {
     state.viewed_frame = -1;
   }
 };
-
-// One function per panel, each in its own file.
-void drawTransportPanel(PanelContext& context);
-void drawImagePanel(PanelContext& context);
-void drawScenePanel(PanelContext& context);
-void drawSeedPanel(PanelContext& context);
-void drawEpipolarPanel(PanelContext& context);
-void drawDivergencePanel(PanelContext& context);
-void drawLabPanel(PanelContext& context);
-void drawSelectionPanel(PanelContext& context);
-void drawPlotsPanel(PanelContext& context);
-void drawTimingPanel(PanelContext& context);
-void drawFunnelPanel(PanelContext& context);
-void drawLogPanel(PanelContext& context);
-void drawParametersPanel(PanelContext& context);
-void drawEvaluationPanel(PanelContext& context);
-void drawCompareImagesPanel(PanelContext& context);
-void drawCompareScenePanel(PanelContext& context);
-void drawCompareMetricsPanel(PanelContext& context);
-void drawComparePlotsPanel(PanelContext& context);
-void drawHelpPanel(PanelContext& context);
-void drawStatusBar(PanelContext& context);
 
 /// What a panel without a snapshot says; false if there is one.
 bool saysWhyEmpty(const PanelContext& context);

@@ -6,18 +6,14 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 
 namespace svoscope::ui {
 
-/// Panels with charts: CSV and SVG.
-bool exportsCharts(const std::string& panel);
-/// Panels with numbers.
-bool exportsNumbers(const std::string& panel);
-
 /// What the panel shows, as comma-separated values. Usage error, saying what there is to do, for a
 /// panel without numbers or with nothing to show.
-Result<std::string> panelCsv(PanelContext& context, const std::string& panel);
+Result<std::string> panelCsv(PanelContext& context, const Panel& panel);
 
 /// "synthetic-room_it-svo_kl-js_00120.csv"; comparisons name the runs' sequence only.
 std::string exportName(const PanelContext& context, const std::string& panel,
@@ -25,10 +21,5 @@ std::string exportName(const PanelContext& context, const std::string& panel,
 
 /// Makes the folder. Output error naming the file.
 Status writeExport(const std::filesystem::path& file, const std::string& text);
-
-/// CSV of the panels' own files.
-std::string plotsCsv(PanelContext& context);
-std::string timingCsv(const PanelContext& context);
-std::string errorCsv(const PanelContext& context);
 
 }  // namespace svoscope::ui

@@ -13,6 +13,7 @@
 #include "ui/harness/executor.h"
 #include "ui/harness/inspector_target.h"
 #include "ui/inspector.h"
+#include "ui/panels/panel.h"
 
 namespace svoscope::ui {
 namespace {
@@ -90,7 +91,8 @@ TEST_P(InspectorScript, EveryPanelAndLayoutDrawsAtSeveralSizesAndScales) {
   ASSERT_EQ(run("run-to 60\nselect feature any\n"), "");
   for (const std::string& layout : presetNames())
     EXPECT_EQ(run("layout \"" + layout + "\"\nwait 2\nshot l\n"), "") << layout;
-  for (const std::string& panel : panelNames()) {
+  for (const Panel* each : panels()) {
+    const std::string panel = each->name;
     EXPECT_EQ(run("panel \"" + panel + "\"\nwait 2\nexpect labels has \"panel:" + panel + "\"\n"),
               "");
   }

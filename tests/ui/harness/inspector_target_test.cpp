@@ -6,6 +6,7 @@
 
 #include "tests/ui/harness/tiny_runner.h"
 #include "ui/harness/engine_driver.h"
+#include "ui/panels/panel.h"
 
 namespace svoscope::ui {
 namespace {
@@ -30,12 +31,12 @@ TEST_F(InspectorTargetTest, ViewsProcessedFramesOnly) {
 
 TEST_F(InspectorTargetTest, PanelsAndLayoutsByName) {
   EXPECT_TRUE(target.setLayout(presetNames().back()).ok());
-  EXPECT_TRUE(target.showPanel(panelNames().front()).ok());
-  EXPECT_EQ(state.maximized, panelNames().front());
-  EXPECT_TRUE(hasPanel(state.layout.root, panelNames().front()));
+  EXPECT_TRUE(target.showPanel(panels().front()->name).ok());
+  EXPECT_EQ(state.maximized, panels().front()->name);
+  EXPECT_TRUE(hasPanel(state.layout.root, panels().front()->name));
   EXPECT_TRUE(target.showPanel("all").ok());
   EXPECT_EQ(state.maximized, "");
-  EXPECT_THAT(target.showPanel("Nonsense").error().message(), HasSubstr(panelNames().front()));
+  EXPECT_THAT(target.showPanel("Nonsense").error().message(), HasSubstr(panels().front()->name));
   EXPECT_THAT(target.setLayout("Nonsense").error().message(), HasSubstr(presetNames().front()));
 }
 

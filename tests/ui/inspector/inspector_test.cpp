@@ -7,7 +7,10 @@
 #include <limits>
 
 #include "tests/ui/inspector/inspector_fixture.h"
+#include "ui/panels/panel.h"
+#include "ui/panels/run/run_options.h"
 #include "ui/panels/scene/image_overlay.h"
+#include "ui/panels/scene/scene_content.h"
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
@@ -142,7 +145,7 @@ TEST_F(InspectorTest, ShortcutsDoNotFireWhileTyping) {
   host_->scriptInput().text = "lost";
   press(keyOf('L'));
   press(Key::space);
-  EXPECT_EQ(state().log_filter, "lost");
+  EXPECT_EQ(state().options.get<LogOptions>().filter, "lost");
   EXPECT_TRUE(runner_->sent().empty());
   press(Key::escape);
   press(keyOf('L'));
@@ -217,13 +220,13 @@ TEST_F(InspectorTest, SceneIsRebuiltOnlyWhenItChanges) {
   open();
   runner_->runTo(60);
   frames(3);
-  PanelCaches& caches = const_cast<PanelCaches&>(inspector_->caches());
-  const auto version = caches.scene.scene().version;
+  const SceneContent& content = inspector_->caches().own.get<SceneContent>();
+  const auto version = content.scene().version;
   frames(5);
-  EXPECT_EQ(caches.scene.scene().version, version);
+  EXPECT_EQ(content.scene().version, version);
   runner_->runTo(61);
   frames();
-  EXPECT_GT(caches.scene.scene().version, version);
+  EXPECT_GT(content.scene().version, version);
 }
 
 TEST_F(InspectorTest, FirstViewShowsTheMap) {
@@ -231,10 +234,10 @@ TEST_F(InspectorTest, FirstViewShowsTheMap) {
   runner_->runTo(120);
   frames(3);
   const SceneOptions& o = state().scene;
-  const PanelCaches& caches = inspector_->caches();
-  EXPECT_LT((o.target - caches.scene.center()).norm(), 1e-9);
-  EXPECT_GT(o.distance, caches.scene.radius());
-  EXPECT_LT(o.distance, caches.scene.radius() * 5);
+  const SceneContent& content = inspector_->caches().own.get<SceneContent>();
+  EXPECT_LT((o.target - content.center()).norm(), 1e-9);
+  EXPECT_GT(o.distance, content.radius());
+  EXPECT_LT(o.distance, content.radius() * 5);
 }
 
 // Every panel in every size and state: no assertion of ImGui fails, nothing divides by zero.
@@ -249,8 +252,8 @@ TEST_F(InspectorTest, SurvivesEmptyAndOddSituations) {
       for (const SurfaceSize size :
            {SurfaceSize{320, 240}, SurfaceSize{1, 1}, SurfaceSize{900, 500}}) {
         host_->resize(size);
-        for (const std::string& panel : panelNames()) {
-          state().maximized = panel;
+        for (const Panel* panel : panels()) {
+          state().maximized = panel->name;
           frames();
         }
         state().maximized.clear();
@@ -266,8 +269,8 @@ TEST_F(InspectorTest, AnEvictedFrameIsExplained) {
   open(options);
   runner_->runTo(60);
   state().viewed_frame = 10;
-  for (const std::string& panel : panelNames()) {
-    state().maximized = panel;
+  for (const Panel* panel : panels()) {
+    state().maximized = panel->name;
     frames();
   }
   EXPECT_EQ(state().viewed_frame, 10);

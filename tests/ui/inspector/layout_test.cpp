@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/panels/panel.h"
+
 namespace svoscope::ui {
 namespace {
 
@@ -44,7 +46,7 @@ TEST(Layout, CopiesAreIndependent) {
 
 TEST(Layout, HidingEverythingLeavesAnEmptyLeaf) {
   Layout layout = presetLayout("Evaluation");
-  for (const std::string& panel : panelNames()) hidePanel(layout.root, panel);
+  for (const Panel* panel : panels()) hidePanel(layout.root, panel->name);
   EXPECT_TRUE(layout.root.leaf);
   EXPECT_TRUE(layout.root.panels.empty());
   const auto again = parseLayout(layoutText(layout));

@@ -5,6 +5,8 @@
 #include "tests/support/recorded_run.h"
 #include "ui/host.h"
 #include "ui/inspector.h"
+#include "ui/model/search_cache.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/widgets/probe.h"
 
@@ -108,9 +110,9 @@ TEST_F(RecordingPanels, EveryPanelAndLayoutIsDrawn) {
     frames(3);
     EXPECT_TRUE(Probe::find("Timeline")) << layout;
   }
-  for (const std::string& panel : panelNames()) {
-    show(panel);
-    EXPECT_TRUE(Probe::find("panel:" + panel)) << panel;
+  for (const Panel* panel : panels()) {
+    show(panel->name);
+    EXPECT_TRUE(Probe::find(std::string("panel:") + panel->name)) << panel->name;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "ui/harness/inspector_target.h"
 #include "ui/model/search_cache.h"
 #include "ui/model/seed_trace.h"
+#include "ui/panels/run/run_options.h"
 
 namespace svoscope::ui {
 namespace {
@@ -45,7 +46,7 @@ TEST_F(PanelText, ALostFrameShowsNoMeasurementsItDoesNotHave) {
   runner.last_ = test::fakeSnapshot(rows.back());
   finish(runner);
   Inspector inspector(runner, host_->graphics());
-  inspector.state().plot_groups = {"Features"};
+  inspector.state().options.get<PlotsOptions>().groups = {"Features"};
   for (const DrawnText& t : shown(inspector, "Funnel")) {
     for (const char* made_up :
          {"0 inliers", "0.00 px", "0 patches", "gain 1.000", "0 landmarks, 0 seeds"}) {

@@ -5,6 +5,7 @@
 
 #include "ui/palette.h"
 #include "ui/panels/compare/compare_panel.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/scene/image_overlay.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -15,6 +16,11 @@ namespace svoscope::ui {
 namespace {
 
 constexpr std::uint32_t kSlots = 60;  // one texture per run
+
+struct CompareOptions {
+  bool features = true, seeds = false;  ///< over the images
+  ImageViewState view;                  ///< of all images alike
+};
 
 struct Tile {
   int run = 0;
@@ -68,11 +74,12 @@ void overlays(PanelContext& c, const ImageView& view, const Tile& tile, int widt
   const bool current = tile.run == c.runs.current();
   const Selection selection = current ? c.state.selection : Selection();
   static const std::set<std::int64_t> nothing;
-  if (c.state.compare.seeds) {
+  if (c.options<CompareOptions>().seeds) {
     drawSeeds(view, *tile.snapshot, c.state.image, selection,
               current ? c.state.highlighted : nothing, {});
   }
-  if (c.state.compare.features) drawFeatures(view, *tile.snapshot, c.state.image, selection);
+  if (c.options<CompareOptions>().features)
+    drawFeatures(view, *tile.snapshot, c.state.image, selection);
   ImGui::GetWindowDrawList()->PopClipRect();
 }
 
@@ -90,7 +97,8 @@ void drawTile(PanelContext& c, const Tile& tile) {
   }
   const cv::Mat& image = tile.snapshot->pyramid->front();
   const std::string label = "image:" + style.name;
-  const ImageView view = imageViewArea(label.c_str(), c.state.compare.view, image.cols, image.rows);
+  const ImageView view =
+      imageViewArea(label.c_str(), c.options<CompareOptions>().view, image.cols, image.rows);
   const bool smooth = view.zoom < 4;
   const std::uint64_t version = tile.snapshot->sequence_number * 2 + (smooth ? 1 : 0);
   drawImage(view,
@@ -105,11 +113,9 @@ void drawTile(PanelContext& c, const Tile& tile) {
     c.state.run_request = tile.run;
 }
 
-}  // namespace
-
-void drawCompareImagesPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (!comparing(c)) return;
-  toolbar(c.state.compare);
+  toolbar(c.options<CompareOptions>());
   if (c.engineFrame() < 0) {
     return emptyState("No frame yet",
                       "Press Space to play, or the right arrow key to process one frame");
@@ -138,5 +144,15 @@ void drawCompareImagesPanel(PanelContext& c) {
     ImGui::PopID();
   }
 }
+
+std::vector<PanelOption> scriptOptions() {
+  return {windowOption<CompareOptions>("compare.features", &CompareOptions::features),
+          windowOption<CompareOptions>("compare.seeds", &CompareOptions::seeds)};
+}
+
+}  // namespace
+
+extern const Panel kCompareImagesPanel{"Compare images", draw, /*csv=*/nullptr,
+                                       /*charts=*/false, scriptOptions};
 
 }  // namespace svoscope::ui

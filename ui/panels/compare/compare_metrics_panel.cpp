@@ -3,6 +3,7 @@
 
 #include "ui/palette.h"
 #include "ui/panels/compare/compare_panel.h"
+#include "ui/panels/panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -87,10 +88,12 @@ Swatch swatchOf(Dash dash) {
                                 : Swatch::dotted;
 }
 
-void updateComparison(PanelContext& c) {
+bool updateComparison(PanelContext& c) {
+  if (c.runs.size() < 2) return false;
   std::vector<CompareSource> sources;
   for (const auto& caches : c.all_caches) sources.push_back({&caches->run, &caches->truth});
   c.compare.update(c.runs, sources, static_cast<AlignMode>(c.state.align_mode), !c.status.playing);
+  return c.engineFrame() >= 0;
 }
 
 bool comparing(PanelContext& c) {
@@ -127,7 +130,9 @@ void runTitle(PanelContext&, const RunStyle& style, const FrameRecord* record) {
   tooltip(text.c_str());
 }
 
-void drawCompareMetricsPanel(PanelContext& c) {
+namespace {
+
+void draw(PanelContext& c) {
   if (!comparing(c)) return;
   const CompareData& data = c.compare;
   const int columns = static_cast<int>(data.runs().size()) + 1;
@@ -152,5 +157,13 @@ void drawCompareMetricsPanel(PanelContext& c) {
     if (!run.problem.empty()) note(run.style.label + ": " + run.problem);
   }
 }
+
+std::string csv(PanelContext& c) {
+  return updateComparison(c) ? metricsCsv(c.compare, !c.info.ground_truth.empty()) : std::string();
+}
+
+}  // namespace
+
+extern const Panel kCompareMetricsPanel{"Compare metrics", draw, csv};
 
 }  // namespace svoscope::ui

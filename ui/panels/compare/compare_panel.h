@@ -2,6 +2,7 @@
 // What the Compare panels share.
 #pragma once
 
+#include "ui/panels/compare/compare_data.h"
 #include "ui/panels/panel_context.h"
 #include "ui/widgets/controls.h"
 
@@ -9,8 +10,8 @@ namespace svoscope::ui {
 
 /// Brings the comparison up to date. False, with a message in the panel, if only one run is open.
 bool comparing(PanelContext& context);
-/// Brings it up to date without a message.
-void updateComparison(PanelContext& context);
+/// The same without a message; false also before the first frame.
+bool updateComparison(PanelContext& context);
 
 Swatch swatchOf(Dash dash);
 

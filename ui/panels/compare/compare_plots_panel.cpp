@@ -5,6 +5,7 @@
 
 #include "ui/palette.h"
 #include "ui/panels/compare/compare_panel.h"
+#include "ui/panels/panel.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -63,9 +64,7 @@ PlotSpec specOf(PanelContext& c, const CompareData& data, const Quantity& q) {
   return spec;
 }
 
-}  // namespace
-
-void drawComparePlotsPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (!comparing(c)) return;
   const CompareData& data = c.compare;
   if (c.engineFrame() < 0) return emptyState("No samples yet", "Every frame adds one to each plot");
@@ -90,5 +89,13 @@ void drawComparePlotsPanel(PanelContext& c) {
     }
   }
 }
+
+std::string csv(PanelContext& c) {
+  return updateComparison(c) ? compareCsv(c.compare) : std::string();
+}
+
+}  // namespace
+
+extern const Panel kComparePlotsPanel{"Compare plots", draw, csv, /*charts=*/true};
 
 }  // namespace svoscope::ui

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/palette.h"
 #include "ui/panels/compare/compare_panel.h"
+#include "ui/panels/compare/compare_scene.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/scene/scene_view.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -15,8 +18,21 @@ namespace {
 
 constexpr std::uint32_t kSlot = 3;
 
+struct CompareSceneOptions : SceneOptions {
+  int generation = -1;  ///< of all runs, when the view was fitted
+};
+
+// Fitted again after a reset of any run.
+SceneOptions& viewpoint(PanelContext& c) {
+  CompareSceneOptions& o = c.options<CompareSceneOptions>();
+  int generation = 0;  // a sum: each of them only increases
+  for (const auto& caches : c.all_caches) generation += caches->run.generation();
+  if (std::exchange(o.generation, generation) != generation) o.fitted = false;
+  return o;
+}
+
 void toolbar(PanelContext& c) {
-  SceneOptions& o = c.state.compare_scene;
+  SceneOptions& o = c.options<CompareSceneOptions>();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
   if (button("Fit##compare", {"Show all paths"})) o.fitted = false;
   ImGui::SameLine(0, grid(1));
@@ -63,8 +79,9 @@ void labels(PanelContext& c, const CompareData& data, const CompareScene& scene,
     if (!scene.losses().empty()) sceneLegend(at, Swatch::cross, ink::text, "Lost here");
   }
   const char* unit = data.metric() ? "m" : "map units";
-  std::string text =
-      c.state.compare_scene.grid ? format("grid %.3g %s", scene.cell(), unit) : std::string();
+  std::string text = c.options<CompareSceneOptions>().grid
+                         ? format("grid %.3g %s", scene.cell(), unit)
+                         : std::string();
   const RunStyle& current = c.runs.style(c.runs.current());
   const std::string onto = data.metric()
                                ? format("aligned to ground truth, %s",
@@ -77,14 +94,12 @@ void labels(PanelContext& c, const CompareData& data, const CompareScene& scene,
                ink::dim, text.c_str());
 }
 
-}  // namespace
-
-void drawCompareScenePanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (!comparing(c)) return;
   const CompareData& data = c.compare;
-  SceneOptions& o = c.state.compare_scene;
+  SceneOptions& o = viewpoint(c);
   toolbar(c);
-  CompareScene& scene = c.caches.compare_scene;
+  CompareScene& scene = c.cache<CompareScene>();
   scene.update(data, c.viewedFrame(), o.grid);
   if (scene.empty()) {
     return emptyState("No path yet", c.info.ground_truth.empty()
@@ -104,5 +119,19 @@ void drawCompareScenePanel(PanelContext& c) {
   labels(c, data, scene, area);
   list->PopClipRect();
 }
+
+std::string csv(PanelContext& c) {
+  return updateComparison(c) ? pathsCsv(c.compare) : std::string();
+}
+
+std::vector<PanelOption> scriptOptions() {
+  using O = CompareSceneOptions;
+  return {windowOption<O>("compare.grid", &O::grid), windowOption<O>("compare.yaw", &O::yaw),
+          windowOption<O>("compare.pitch", &O::pitch)};
+}
+
+}  // namespace
+
+extern const Panel kCompareScenePanel{"Compare 3-D", draw, csv, /*charts=*/false, scriptOptions};
 
 }  // namespace svoscope::ui

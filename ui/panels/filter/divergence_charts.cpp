@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/seed_trace.h"
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
 #include "ui/widgets/chart.h"
@@ -11,8 +12,8 @@
 namespace svoscope::ui {
 
 void DivergenceView::update(PanelContext& c) {
-  const FilterStats& stats = c.caches.filter;
-  const bool whole = c.state.divergence.whole_run;
+  const FilterStats& stats = c.cache<FilterStats>();
+  const bool whole = c.runOptions<DivergenceOptions>().whole_run;
   const TruthState& truth = c.caches.truth.state();
   const Key key{stats.version(), truth.version, whole ? -1 : c.viewedFrame(), whole};
   if (key == key_) return;
@@ -93,7 +94,7 @@ ChartSpec binsSpec(const char* id, const char* title, const char* x_label, const
 double onAxis(double kl) { return std::clamp(kl, kLeast, kMost); }
 
 void scatter(PanelContext& c, const DivergenceView& v, ImVec2 size) {
-  DivergenceOptions& o = c.state.divergence;
+  DivergenceOptions& o = c.runOptions<DivergenceOptions>();
   ChartSpec spec;
   spec.id = "KL against JS";
   spec.title = "Each measurement";
@@ -225,7 +226,7 @@ void convergence(PanelContext& c, const DivergenceView& v, ImVec2 size) {
   if (!chart.hovered()) return;
   const int n = static_cast<int>(std::lround(chart.mouseX()));
   ImGui::BeginTooltip();
-  ImGui::Text("After %d measurements, %d seeds", n, c.caches.filter.seedsWith(n));
+  ImGui::Text("After %d measurements, %d seeds", n, c.cache<FilterStats>().seedsWith(n));
   for (const Rule rule : kRules) {
     const auto& m = v.median[static_cast<int>(rule)];
     if (n >= 1 && n <= static_cast<int>(m.size()))

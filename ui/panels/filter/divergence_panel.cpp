@@ -2,9 +2,11 @@
 // How far measurements are from beliefs by KL and by JS, and what the two rules make of them.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/palette.h"
 #include "ui/panels/filter/divergence_charts.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -13,8 +15,15 @@ namespace svoscope::ui {
 
 namespace {
 
+// After a reset the same ids are other seeds.
+void forgetBrushOfOldRun(PanelContext& c) {
+  DivergenceOptions& o = c.runOptions<DivergenceOptions>();
+  if (std::exchange(o.generation, c.caches.run.generation()) != c.caches.run.generation())
+    o.brushed = false;
+}
+
 void applyBrush(PanelContext& c, const std::vector<UpdatePoint>& points) {
-  DivergenceOptions& o = c.state.divergence;
+  DivergenceOptions& o = c.runOptions<DivergenceOptions>();
   if (!o.brush_changed) return;
   o.brush_changed = false;
   c.state.highlighted.clear();
@@ -24,8 +33,8 @@ void applyBrush(PanelContext& c, const std::vector<UpdatePoint>& points) {
 }
 
 void toolbar(PanelContext& c, const std::vector<UpdatePoint>& points, bool complete) {
-  DivergenceOptions& o = c.state.divergence;
-  const FilterStats& stats = c.caches.filter;
+  DivergenceOptions& o = c.runOptions<DivergenceOptions>();
+  const FilterStats& stats = c.cache<FilterStats>();
   if (button("Run so far", {"All measurements read from the history"}, o.whole_run))
     o.whole_run = o.brush_changed = true;
   ImGui::SameLine(0, grid(0.5f));
@@ -63,27 +72,43 @@ void toolbar(PanelContext& c, const std::vector<UpdatePoint>& points, bool compl
   ImGui::TextDisabled("%s", text.c_str());
 }
 
-}  // namespace
-
-void drawDivergencePanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (!c.latest) {
     saysWhyEmpty(c);
     return;
   }
-  FilterStats& stats = c.caches.filter;
+  forgetBrushOfOldRun(c);
+  FilterStats& stats = c.cache<FilterStats>();
   const bool complete = stats.update(c.runner, c.latest);
-  DivergenceView& view = c.caches.divergence;
+  DivergenceView& view = c.cache<DivergenceView>();
   view.update(c);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
   toolbar(c, view.points, complete);
   ImGui::PopStyleVar();
   if (view.points.empty()) {
-    return emptyState(c.state.divergence.whole_run ? "No measurement of a seed yet"
-                                                   : "No seed was measured in this frame",
+    return emptyState(c.runOptions<DivergenceOptions>().whole_run
+                          ? "No measurement of a seed yet"
+                          : "No seed was measured in this frame",
                       "Seeds are measured once the two-view start succeeded");
   }
   applyBrush(c, view.points);
   divergenceCharts(c, view);
 }
+
+std::string csv(PanelContext& c) {
+  if (!c.latest) return "";
+  c.cache<FilterStats>().update(c.runner, c.latest);
+  DivergenceView& view = c.cache<DivergenceView>();
+  view.update(c);
+  return view.points.empty() ? std::string() : statsCsv(view.points);
+}
+
+std::vector<PanelOption> scriptOptions() {
+  return {runOption<DivergenceOptions>("divergence.whole_run", &DivergenceOptions::whole_run)};
+}
+
+}  // namespace
+
+extern const Panel kDivergencePanel{"KL / JS", draw, csv, /*charts=*/true, scriptOptions};
 
 }  // namespace svoscope::ui

@@ -10,6 +10,15 @@ namespace svoscope::ui {
 
 struct PanelContext;
 
+/// What the user chose in the panel, of each run.
+struct DivergenceOptions {
+  bool whole_run = true;       ///< else the viewed frame only
+  bool brush_changed = false;  ///< the highlighted seeds must be found again
+  bool brushed = false;        ///< a rectangle is drawn in the scatter
+  double x_lo = 0, x_hi = 0, y_lo = 0, y_hi = 0;
+  int generation = -1;  ///< of the run that the rectangle was drawn in
+};
+
 struct DivergenceView {
   std::vector<UpdatePoint> points;
   FilterDistributions shown;

@@ -6,6 +6,7 @@
 
 #include "ui/palette.h"
 #include "ui/panels/filter/lab_view.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/panels/seed/densities.h"
 #include "ui/theme.h"
@@ -86,8 +87,8 @@ void gaussians(const LabSettings& s, ImVec2 size) {
 }
 
 void separation(PanelContext& c, const LabPair& now, ImVec2 size) {
-  LabSettings& s = c.state.lab;
-  SeparationCurves& curves = c.caches.separation;
+  LabSettings& s = c.options<LabSettings>();
+  SeparationCurves& curves = c.cache<SeparationCurves>();
   curves.update(s.sigma, s.tau);
   ChartSpec spec;
   spec.id = "Divergence over separation";
@@ -198,7 +199,7 @@ void relativeError(const LabSettings& s, ImVec2 size) {
 }  // namespace
 
 void divergenceSection(PanelContext& c, ImVec2 size) {
-  LabSettings& s = c.state.lab;
+  LabSettings& s = c.options<LabSettings>();
   ImGui::BeginGroup();
   SliderGrid sliders(size.x);
   sliders.item("Belief μ", s.mu, 0.1f, 2, "%.2f", "Mean of the belief p, inverse distance");
@@ -220,7 +221,7 @@ void divergenceSection(PanelContext& c, ImVec2 size) {
 }
 
 void twoViewSection(PanelContext& c, ImVec2 size) {
-  LabSettings& s = c.state.lab;
+  LabSettings& s = c.options<LabSettings>();
   ImGui::BeginGroup();
   SliderGrid sliders(size.x);
   sliders.item("Baseline", s.baseline, 0.01f, 2, "%.2f m", "Between the two cameras");
@@ -244,24 +245,32 @@ void twoViewSection(PanelContext& c, ImVec2 size) {
   ImGui::EndGroup();
 }
 
-void drawLabPanel(PanelContext& c) {
-  LabSettings& s = c.state.lab;
+namespace {
+
+std::string csv(PanelContext& c) {
+  const LabSettings& s = c.options<LabSettings>();
+  SeparationCurves& curves = c.cache<SeparationCurves>();
+  curves.update(s.sigma, s.tau);
+  return labCsv(s, curves, c.cache<LabSimulation>().worker.state().result.get());
+}
+
+void draw(PanelContext& c) {
+  LabSettings& s = c.options<LabSettings>();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {grid(1), grid(1)});
   const char* names[] = {"Divergences", "Two views", "Population", "All"};
   for (int i = 0; i < 4; ++i) {
     if (i > 0) sameLineIfFits(buttonWidth(names[i]));
-    if (button(names[i], {}, c.state.lab_section == i)) c.state.lab_section = i;
+    if (button(names[i], {}, c.options<LabChoices>().section == i))
+      c.options<LabChoices>().section = i;
   }
   sameLineIfFits(buttonWidth("Reset lab"));
   if (button("Reset lab", {"All sliders as at the start"})) s = LabSettings();
   sameLineIfFits(buttonWidth("Export CSV"));
   if (button("Export CSV", {"Divergences over separation, and the simulated population"})) {
-    c.caches.separation.update(s.sigma, s.tau);
-    exportText(c, "filter_lab.csv",
-               labCsv(s, c.caches.separation, c.caches.lab.state().result.get()));
+    exportText(c, "filter_lab.csv", csv(c));
   }
-  const int section = c.state.lab_section;
+  const int section = c.options<LabChoices>().section;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float font = ImGui::GetFontSize();
   if (section < 3) {
@@ -281,5 +290,28 @@ void drawLabPanel(PanelContext& c) {
   }
   ImGui::PopStyleVar(2);
 }
+
+std::vector<PanelOption> scriptOptions() {
+  const auto slider = [](const char* name, float LabSettings::*field) {
+    return windowOption<LabSettings>(name, field);
+  };
+  using S = LabSettings;
+  return {windowOption<LabChoices>("lab.section", &LabChoices::section),
+          windowOption<LabChoices>("lab.wait", &LabChoices::wait),
+          slider("lab.mu", &S::mu),
+          slider("lab.sigma", &S::sigma),
+          slider("lab.offset", &S::offset),
+          slider("lab.tau", &S::tau),
+          slider("lab.baseline", &S::baseline),
+          slider("lab.depth", &S::depth),
+          slider("lab.pixel_noise", &S::pixel_noise),
+          slider("lab.seeds", &S::seeds),
+          slider("lab.outliers", &S::outliers),
+          slider("lab.hopeless", &S::hopeless)};
+}
+
+}  // namespace
+
+extern const Panel kLabPanel{"Filter lab", draw, csv, /*charts=*/true, scriptOptions};
 
 }  // namespace svoscope::ui

@@ -173,9 +173,10 @@ void progressRow(PanelContext& c, const LabWorker::State& now) {
   if (now.running) {
     ImGui::ProgressBar(static_cast<float>(now.progress), {font * 12, 0}, "simulating");
     ImGui::SameLine();
-    if (button("Cancel##lab", {"Stop, and keep what is there"})) c.caches.lab.cancel();
+    if (button("Cancel##lab", {"Stop, and keep what is there"}))
+      c.cache<LabSimulation>().worker.cancel();
   } else if (button("Run again", {"Simulate another population of the same kind"})) {
-    ++c.state.lab_random_seed;
+    ++c.options<LabChoices>().random_seed;
   }
   if (!now.result) return;
   ImGui::SameLine();
@@ -187,20 +188,21 @@ void progressRow(PanelContext& c, const LabWorker::State& now) {
 }  // namespace
 
 void populationSection(PanelContext& c, ImVec2 size) {
-  LabSettings& s = c.state.lab;
+  LabSettings& s = c.options<LabSettings>();
   ImGui::BeginGroup();
   const float top = ImGui::GetCursorScreenPos().y;
   sliders(s, size.x);
   LabOptions options = labOptions(s);
-  options.random_seed = c.state.lab_random_seed;
+  options.random_seed = c.options<LabChoices>().random_seed;
   const auto key = std::make_tuple(options.seeds, options.outliers, options.hopeless, options.noise,
                                    options.step_m, options.random_seed);
-  if (c.caches.lab_key != key) {
-    c.caches.lab_key = key;
-    c.caches.lab.start(options);
+  LabSimulation& simulation = c.cache<LabSimulation>();
+  if (simulation.started != key) {
+    simulation.started = key;
+    simulation.worker.start(options);
   }
-  if (c.state.lab_wait) c.caches.lab.wait();
-  const LabWorker::State now = c.caches.lab.state();
+  if (c.options<LabChoices>().wait) simulation.worker.wait();
+  const LabWorker::State now = simulation.worker.state();
   progressRow(c, now);
   if (now.result) {
     table(*now.result);

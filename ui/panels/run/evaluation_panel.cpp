@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cctype>
+#include <cmath>
 
 #include "engine/eval/estimate.h"
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -68,9 +70,7 @@ void errorPlot(PanelContext& c) {
   if (result.export_csv) exportText(c, "plot_error.csv", plotCsv(spec, state, c.state.linked_x));
 }
 
-}  // namespace
-
-void drawEvaluationPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (c.info.ground_truth.empty()) {
     if (c.caches.run.records().empty()) {
       return emptyState("No ground truth", "This sequence has none, so there is no error to show");
@@ -104,5 +104,21 @@ void drawEvaluationPanel(PanelContext& c) {
   }
   errorPlot(c);
 }
+
+std::string csv(PanelContext& c) {
+  const TruthState& truth = c.caches.truth.state();
+  const auto& records = c.caches.run.records();
+  if (!truth.valid) return "";
+  std::string text = "frame,timestamp,error_m\n";
+  for (std::size_t i = 0; i < records.size() && i < truth.error.size(); ++i) {
+    text += format("%d,%.6f,", records[i].index, records[i].timestamp) +
+            (std::isfinite(truth.error[i]) ? format("%g", truth.error[i]) : std::string()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+extern const Panel kEvaluationPanel{"Evaluation", draw, csv, /*charts=*/true};
 
 }  // namespace svoscope::ui

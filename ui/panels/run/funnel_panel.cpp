@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "ui/palette.h"
+#include "ui/panels/export.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -112,9 +114,7 @@ void startRows(const FrameRecord& r) {
   valueRow("Median disparity", format("%.1f px", r.disparity_px));
 }
 
-}  // namespace
-
-void drawFunnelPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (!c.record) {
     return emptyState("No frame yet",
                       "Shows how many features survive each step, and why tracking was lost");
@@ -141,5 +141,13 @@ void drawFunnelPanel(PanelContext& c) {
   valueRow("Seeds now", format("%d updated, %d converged, %d rejected", r.seed_updates,
                                r.seeds_converged, r.seeds_rejected));
 }
+
+std::string csv(PanelContext& c) {
+  return c.caches.run.records().empty() ? std::string() : framesCsv(c.caches.run);
+}
+
+}  // namespace
+
+extern const Panel kFunnelPanel{"Funnel", draw, csv};
 
 }  // namespace svoscope::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/actions.h"
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/render/fonts.h"
 #include "ui/theme.h"
@@ -27,9 +28,7 @@ bool beginTable(const char* title) {
   return true;
 }
 
-}  // namespace
-
-void drawHelpPanel(PanelContext&) {
+void draw(PanelContext&) {
   if (beginTable("Keyboard")) {
     for (const Shortcut& s : shortcuts()) row(s.keys, s.what);
     ImGui::EndTable();
@@ -69,5 +68,14 @@ void drawHelpPanel(PanelContext&) {
     ImGui::EndTable();
   }
 }
+
+}  // namespace
+
+extern const Panel kHelpPanel{"Help",
+                              draw,
+                              /*csv=*/nullptr,
+                              /*charts=*/false,
+                              /*options=*/nullptr,
+                              /*exportable=*/false};
 
 }  // namespace svoscope::ui

@@ -3,7 +3,9 @@
 #include <cctype>
 
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run/run_options.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -39,13 +41,11 @@ void row(PanelContext& c, const Event& e, int id) {
   elidedText(e.text, ink::text);
 }
 
-}  // namespace
-
-void drawLogPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   const auto& events = c.caches.run.events();
-  inputText("##log_filter", "Filter, for example lost", c.state.log_filter,
+  inputText("##log_filter", "Filter, for example lost", c.options<LogOptions>().filter,
             ImGui::GetFontSize() * 14);
-  const std::string filter = lower(c.state.log_filter);
+  const std::string filter = lower(c.options<LogOptions>().filter);
   std::vector<int> shown;
   for (std::size_t i = events.size(); i-- > 0;) {
     if (matches(events[i], filter)) shown.push_back(static_cast<int>(i));
@@ -78,5 +78,9 @@ void drawLogPanel(PanelContext& c) {
   }
   ImGui::EndTable();
 }
+
+}  // namespace
+
+extern const Panel kLogPanel{"Log", draw};
 
 }  // namespace svoscope::ui

@@ -3,7 +3,9 @@
 #include <cstdlib>
 
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run/run_options.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -148,13 +150,11 @@ bool beginGroup(const std::string& group, const Columns& columns) {
   return true;
 }
 
-}  // namespace
-
-void drawParametersPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   const auto parameters = c.runner.parameters();
   if (parameters.empty()) return emptyState("No parameters", "This recording holds none");
-  inputText("##parameter_filter", "Filter, for example reproject", c.state.parameter_filter,
-            ImGui::GetFontSize() * 14);
+  inputText("##parameter_filter", "Filter, for example reproject",
+            c.options<ParametersOptions>().filter, ImGui::GetFontSize() * 14);
   if (c.status.recorded) {
     sameLineIfFits(ImGui::CalcTextSize(kReadOnly).x);
     ImGui::TextColored(toVec4(okabe::orange), "%s", kReadOnly);
@@ -165,7 +165,7 @@ void drawParametersPanel(PanelContext& c) {
   bool open = false;
   int hidden = 0;
   for (const ParameterView& p : parameters) {
-    const std::string& filter = c.state.parameter_filter;
+    const std::string& filter = c.options<ParametersOptions>().filter;
     if (p.key.find(filter) == std::string::npos && p.meaning.find(filter) == std::string::npos) {
       ++hidden;
       continue;
@@ -182,5 +182,13 @@ void drawParametersPanel(PanelContext& c) {
   if (open) ImGui::EndTable();
   if (hidden > 0) ImGui::TextColored(toVec4(okabe::orange), "%d hidden by the filter", hidden);
 }
+
+}  // namespace
+
+extern const Panel kParametersPanel{"Parameters",        draw,
+                                    /*csv=*/nullptr,
+                                    /*charts=*/false,
+                                    /*options=*/nullptr,
+                                    /*exportable=*/false};
 
 }  // namespace svoscope::ui

@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run/run_options.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 
@@ -16,12 +18,12 @@ void chooser(PanelContext& c) {
   OptionBar bar(ImGui::GetContentRegionAvail().y < ImGui::GetFontSize() * 11);
   for (const ChartInfo& chart : chartTable()) {
     if (std::string("Error") == chart.group && c.info.ground_truth.empty()) continue;
-    const bool was = c.state.plot_groups.count(chart.group) > 0;
+    const bool was = c.options<PlotsOptions>().groups.count(chart.group) > 0;
     bool on = was;
     const std::string label = std::string(chart.group) + "##chart";
     bar.item(label.c_str(), on, chart.unit_label);
-    if (on && !was) c.state.plot_groups.insert(chart.group);
-    if (!on && was) c.state.plot_groups.erase(chart.group);
+    if (on && !was) c.options<PlotsOptions>().groups.insert(chart.group);
+    if (!on && was) c.options<PlotsOptions>().groups.erase(chart.group);
   }
   ImGui::PopStyleVar(2);
 }
@@ -62,9 +64,7 @@ std::string fileName(const char* group) {
   return name;
 }
 
-}  // namespace
-
-void drawPlotsPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   chooser(c);
   if (c.caches.run.records().empty()) {
     return emptyState("No samples yet", "Every processed frame adds one to each plot");
@@ -72,7 +72,7 @@ void drawPlotsPanel(PanelContext& c) {
   std::vector<const ChartInfo*> charts;
   for (const ChartInfo& chart : chartTable()) {
     const bool known = std::string("Error") != chart.group || !c.info.ground_truth.empty();
-    if (known && c.state.plot_groups.count(chart.group)) charts.push_back(&chart);
+    if (known && c.options<PlotsOptions>().groups.count(chart.group)) charts.push_back(&chart);
   }
   if (charts.empty())
     return emptyState("No plot chosen", "Choose quantities with the buttons above");
@@ -91,5 +91,38 @@ void drawPlotsPanel(PanelContext& c) {
     }
   }
 }
+
+std::string number(double value) {
+  return std::isfinite(value) ? format("%g", value) : std::string();
+}
+
+std::string csv(PanelContext& c) {
+  const RunCache& run = c.caches.run;
+  if (run.records().empty()) return "";
+  const bool error =
+      c.options<PlotsOptions>().groups.count("Error") > 0 && !c.info.ground_truth.empty();
+  const auto& truth = c.caches.truth.state().error;
+  const auto shown = [&](std::size_t i) {
+    return c.options<PlotsOptions>().groups.count(seriesTable()[i].group) > 0;
+  };
+  std::string text = "frame,timestamp";
+  for (std::size_t i = 0; i < seriesTable().size(); ++i) {
+    if (shown(i)) text += std::string(",") + seriesTable()[i].group + ": " + seriesTable()[i].label;
+  }
+  text += error ? ",Position error m\n" : "\n";
+  for (std::size_t row = 0; row < run.records().size(); ++row) {
+    text += format("%d,%.6f", run.records()[row].index, run.records()[row].timestamp);
+    for (std::size_t i = 0; i < seriesTable().size(); ++i) {
+      if (shown(i)) text += "," + number(run.column(i)[row]);
+    }
+    if (error) text += "," + (row < truth.size() ? number(truth[row]) : std::string());
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+extern const Panel kPlotsPanel{"Plots", draw, csv, /*charts=*/true};
 
 }  // namespace svoscope::ui

@@ -2,6 +2,7 @@
 #include "ui/model/run_length.h"
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run/window_bars.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -169,9 +170,7 @@ void stackedStrip(PanelContext& c, double budget) {
   if (clicked) c.view(s.slowest[k]->index);
 }
 
-}  // namespace
-
-void drawTimingPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   if (!c.record)
     return emptyState("No times yet", "Each processed frame adds the time of every stage");
   const double budget = c.info.rate_hz > 0 ? 1000 / c.info.rate_hz : 0;
@@ -185,5 +184,22 @@ void drawTimingPanel(PanelContext& c) {
   }
   stackedStrip(c, budget);
 }
+
+std::string csv(PanelContext& c) {
+  if (c.caches.run.records().empty()) return "";
+  std::string text = "frame";
+  for (int s = 0; s < kStageCount; ++s) text += format(",%s_ms", stageName(static_cast<Stage>(s)));
+  text += "\n";
+  for (const FrameRecord& r : c.caches.run.records()) {
+    text += format("%d", r.index);
+    for (const double ms : r.time_ms) text += format(",%.3f", ms);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+extern const Panel kTimingPanel{"Timing", draw, csv, /*charts=*/true};
 
 }  // namespace svoscope::ui

@@ -4,6 +4,7 @@
 #include "ui/model/run_length.h"
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/run/window_bars.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/probe.h"
@@ -12,6 +13,11 @@
 namespace svoscope::ui {
 
 namespace {
+
+struct TransportOptions {
+  int speed = 0;     ///< index into the choice of speeds
+  int run_to = 100;  ///< frame typed for "Run to frame"
+};
 
 const char* whyNoForward(const PanelContext& c) {
   if (!c.status.finished || !c.live()) return nullptr;
@@ -69,13 +75,14 @@ void runButtons(PanelContext& c) {
   item("Loss", "Run until tracking is lost (L)", Command::Kind::run_to_loss);
   item("Start", "Run until the two-view start succeeded", Command::Kind::run_to_start);
   sameLineIfFits(buttonWidth("Frame") + grid(16));
-  const bool past = c.state.run_to <= c.engineFrame();
+  const bool past = c.options<TransportOptions>().run_to <= c.engineFrame();
   if (button("Frame", {"Run until this frame was processed",
                        past ? "That frame was processed already" : none.disabled_because})) {
-    c.send(Command::Kind::run_to_frame, c.state.run_to);
+    c.send(Command::Kind::run_to_frame, c.options<TransportOptions>().run_to);
   }
   ImGui::SameLine(0, grid(1));
-  inputInt("##run_to_frame", c.state.run_to, ImGui::GetFontSize() * 3.6f, "Frame number");
+  inputInt("##run_to_frame", c.options<TransportOptions>().run_to, ImGui::GetFontSize() * 3.6f,
+           "Frame number");
 }
 
 void speedControl(PanelContext& c) {
@@ -84,10 +91,11 @@ void speedControl(PanelContext& c) {
   static const std::array<const char*, 7> values{"0", "1", "2", "5", "10", "20", "30"};
   const float width = ImGui::GetFontSize() * 6.5f;
   sameLineIfFits(width + grid(4));
-  if (combo("##speed", c.state.speed, names, width, "Frames per second while playing")) {
+  if (combo("##speed", c.options<TransportOptions>().speed, names, width,
+            "Frames per second while playing")) {
     Command command;
     command.kind = Command::Kind::set_speed;
-    command.value = values[static_cast<std::size_t>(c.state.speed)];
+    command.value = values[static_cast<std::size_t>(c.options<TransportOptions>().speed)];
     c.runner.send(command);
   }
   sameLineIfFits(buttonWidth("Reset"));
@@ -136,7 +144,7 @@ void position(PanelContext& c) {
 
 }  // namespace
 
-void drawTransportPanel(PanelContext& c) {
+void drawTransportBar(PanelContext& c) {
   playButtons(c);
   runButtons(c);
   speedControl(c);

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/panels/scene/image_overlay.h"
+#include "ui/panels/scene/trails.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/icons.h"
@@ -207,7 +209,7 @@ void viewBody(PanelContext& c, const Snapshot& s) {
   drawImage(view, c.graphics.image(kSlot, level, version * 2 + (smooth ? 1 : 0), smooth), width,
             height);
   pushImageClip(view, width, height);
-  if (o.trails) drawTrails(view, c.caches.trails.update(c.runner, s, o.trail_frames), s, o);
+  if (o.trails) drawTrails(view, c.cache<Trails>().update(c.runner, s, o.trail_frames), s, o);
   drawSeeds(view, s, o, c.state.selection, c.state.highlighted, c.state.seed.pinned);
   drawFeatures(view, s, o, c.state.selection);
   drawSearch(view, s.record.index, c.state.search_line, c.state.search_hover);
@@ -227,9 +229,7 @@ void viewBody(PanelContext& c, const Snapshot& s) {
   if (view.clicked) c.state.selection = pick(view, s, o, ImGui::GetIO().MousePos, dp(12));
 }
 
-}  // namespace
-
-void drawImagePanel(PanelContext& c) {
+void draw(PanelContext& c) {
   const bool has_image = c.snapshot && c.snapshot->pyramid && !c.snapshot->pyramid->empty() &&
                          !c.snapshot->pyramid->front().empty();
   toolbar(c, has_image ? static_cast<int>(c.snapshot->pyramid->size()) : 1);
@@ -238,5 +238,38 @@ void drawImagePanel(PanelContext& c) {
     return emptyState("This frame has no image", "Its numbers are in the other panels");
   viewBody(c, *c.snapshot);
 }
+
+std::string csv(PanelContext& c) {
+  if (!c.snapshot) return "";
+  std::string text = "id,type,origin,status,level,x,y,x_end,y_end,depth,residual_px,observations\n";
+  for (const FeatureView& f : c.snapshot->features) {
+    text +=
+        format("%lld,%s,%s,%s,%d,%.3f,%.3f,", static_cast<long long>(f.id), featureTypeName(f.type),
+               originName(f.origin), statusName(f.status), f.level, f.px.x(), f.px.y());
+    text += f.type == FeatureType::segment ? format("%.3f,%.3f", f.px_end.x(), f.px_end.y()) : ",";
+    text += format(",%.6g,%.4g,%d\n", f.depth, f.residual_px, f.observations);
+  }
+  return text;
+}
+
+std::vector<PanelOption> scriptOptions() {
+  const auto item = [](const char* name, auto field) {
+    return stateOption(name, &UiState::image, field);
+  };
+  using O = ImageOptions;
+  return {
+      item("image.level", &O::level),           item("image.color_by", &O::color_by),
+      item("image.seed_color", &O::seed_color), item("image.corners", &O::corners),
+      item("image.edgelets", &O::edgelets),     item("image.segments", &O::segments),
+      item("image.outliers", &O::outliers),     item("image.not_aligned", &O::not_aligned),
+      item("image.residuals", &O::residuals),   item("image.residual_scale", &O::residual_scale),
+      item("image.predicted", &O::predicted),   item("image.ids", &O::ids),
+      item("image.trails", &O::trails),         item("image.seeds", &O::seeds),
+      item("image.spans", &O::spans),           item("image.tracks", &O::tracks)};
+}
+
+}  // namespace
+
+extern const Panel kImagePanel{"Image", draw, csv, /*charts=*/false, scriptOptions};
 
 }  // namespace svoscope::ui

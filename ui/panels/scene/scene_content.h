@@ -27,6 +27,7 @@ class SceneContent {
   void update(const SceneInput& input);
 
   Scene3& scene() { return scene_; }
+  const Scene3& scene() const { return scene_; }
   double cell() const { return cell_; }  ///< grid spacing, map units
   std::pair<float, float> colorRange() const { return color_range_; }
   /// Centre and radius of the map, outliers left out.

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/seed_trace.h"
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/scene/scene_content.h"
 #include "ui/panels/scene/scene_view.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -52,7 +55,7 @@ void fitWhileUntouched(PanelContext& c, double aspect) {
   if (o.follow && c.record && c.record->pose_good) {
     o.target = c.record->T_world_cam.translation();
   } else if (!o.fitted) {
-    fitScene(o, c.caches.scene.center(), c.caches.scene.radius(), aspect);
+    fitScene(o, c.cache<SceneContent>().center(), c.cache<SceneContent>().radius(), aspect);
     o.fitted_points = points;
   }
 }
@@ -154,7 +157,7 @@ std::string pointsText(const Snapshot& s) {
 
 void labels(PanelContext& c, const SceneCamera& camera) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const SceneContent& scene = c.caches.scene;
+  const SceneContent& scene = c.cache<SceneContent>();
   ImVec2 at{camera.lo.x + grid(2), camera.lo.y + grid(1)};
   const auto entry = [&](Swatch kind, ImU32 color, const std::string& text) {
     sceneLegend(at, kind, color, text);
@@ -199,12 +202,10 @@ void labels(PanelContext& c, const SceneCamera& camera) {
                ink::dim, text.c_str());
 }
 
-}  // namespace
-
-void drawScenePanel(PanelContext& c) {
+void draw(PanelContext& c) {
   toolbar(c);
   if (saysWhyEmpty(c)) return;
-  SceneContent& content = c.caches.scene;
+  SceneContent& content = c.cache<SceneContent>();
   content.update({c.snapshot.get(), &c.caches.run.records(), &c.caches.truth.state(), &c.info,
                   &c.state.scene, c.caches.run.generation()});
   fitWhileUntouched(c, sceneAspect());
@@ -224,5 +225,41 @@ void drawScenePanel(PanelContext& c) {
   ImGui::GetWindowDrawList()->PopClipRect();
   if (area.clicked) pickPoint(c, camera);
 }
+
+std::string csv(PanelContext& c) {
+  if (!c.snapshot || !c.snapshot->points) return "";
+  std::string text = "id,type,x,y,z,x_end,y_end,z_end,sigma,observations\n";
+  for (const MapPointView& p : *c.snapshot->points) {
+    text += format("%lld,%s,%.6g,%.6g,%.6g,", static_cast<long long>(p.id), featureTypeName(p.type),
+                   p.position.x(), p.position.y(), p.position.z());
+    const Vec3f& e = p.position_end;
+    text += p.type == FeatureType::segment ? format("%.6g,%.6g,%.6g", e.x(), e.y(), e.z()) : ",,";
+    text += format(",%.6g,%d\n", p.sigma, p.observations);
+  }
+  return text;
+}
+
+std::vector<PanelOption> scriptOptions() {
+  const auto item = [](const char* name, auto field) {
+    return stateOption(name, &UiState::scene, field);
+  };
+  using O = SceneOptions;
+  return {item("scene.color_by", &O::color_by),
+          item("scene.points", &O::points),
+          item("scene.keyframes", &O::keyframes),
+          item("scene.estimate", &O::estimate),
+          item("scene.ground_truth", &O::ground_truth),
+          item("scene.seeds", &O::seeds),
+          item("scene.grid", &O::grid),
+          item("scene.follow", &O::follow),
+          item("scene.point_size", &O::point_size),
+          item("scene.distance", &O::distance),
+          item("scene.yaw", &O::yaw),
+          item("scene.pitch", &O::pitch)};
+}
+
+}  // namespace
+
+extern const Panel kScenePanel{"3-D", draw, csv, /*charts=*/false, scriptOptions};
 
 }  // namespace svoscope::ui

@@ -6,6 +6,7 @@
 #include "ui/model/search_cache.h"
 #include "ui/model/seed_trace.h"
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
 #include "ui/widgets/chart.h"
@@ -34,9 +35,10 @@ ImVec2 drawPatch(PanelContext& c, const Patch& patch, std::uint32_t slot, float 
   pen::text(list, at, ink::text, patch.title);
   pen::rectFilled(list, lo, hi, ink::canvas);
   if (!patch.pixels.empty()) {
-    pen::image(list,
-               c.graphics.image(kSlots + slot, patch.pixels, c.caches.search.version(), false), lo,
-               hi, patch.pixels);
+    pen::image(
+        list,
+        c.graphics.image(kSlots + slot, patch.pixels, c.cache<SearchCache>().version(), false), lo,
+        hi, patch.pixels);
   } else {
     const ImVec2 size = ImGui::CalcTextSize("none");
     pen::text(list, {(lo.x + hi.x - size.x) / 2, (lo.y + hi.y - size.y) / 2}, ink::dim, "none");
@@ -252,9 +254,7 @@ void shareLine(PanelContext& c, const SearchDetail& d, const SeedUpdateView& u) 
                          d.px_far, d.px_match,    d.outcome == SearchOutcome::matched};
 }
 
-}  // namespace
-
-void drawEpipolarPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   const ViewedUpdate v = viewedUpdate(c);
   if (saysNoSeed(c, v)) return;
   if (saysNoUpdate(c, *v.trace)) return;
@@ -263,9 +263,9 @@ void drawEpipolarPanel(PanelContext& c) {
                       "Nothing that was held so far updated this seed up to the viewed frame");
   }
   const SeedUpdateView& u = *v.update;
-  const SearchDetail* d = c.caches.search.find(
+  const SearchDetail* d = c.cache<SearchCache>().find(
       c.runner, *v.trace->last, u, v.index, v.trace->published[static_cast<std::size_t>(v.index)]);
-  if (!d) return emptyState("The search cannot be shown", c.caches.search.problem());
+  if (!d) return emptyState("The search cannot be shown", c.cache<SearchCache>().problem());
   shareLine(c, *d, u);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
   ImGui::AlignTextToFramePadding();
@@ -300,5 +300,22 @@ void drawEpipolarPanel(PanelContext& c) {
   patches(c, *d, *v.trace->last, u, side);
   profileChart(c, *d, u);
 }
+
+std::string csv(PanelContext& c) {
+  const ViewedUpdate v = viewedUpdate(c);
+  if (!v.trace || !v.update || !v.trace->last) return "";
+  const SearchDetail* d =
+      c.cache<SearchCache>().find(c.runner, *v.trace->last, *v.update, v.index,
+                                  v.trace->published[static_cast<std::size_t>(v.index)]);
+  return d ? profileCsv(*d, v.update->seed_id, v.update->frame_index) : std::string();
+}
+
+std::vector<PanelOption> scriptOptions() {
+  return {stateOption("search.pixels", &UiState::seed, &SeedOptions::profile_in_pixels)};
+}
+
+}  // namespace
+
+extern const Panel kEpipolarPanel{"Epipolar search", draw, csv, /*charts=*/true, scriptOptions};
 
 }  // namespace svoscope::ui

@@ -5,6 +5,7 @@
 
 #include "ui/model/seed_trace.h"
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/panels/seed/seed_charts.h"
 #include "ui/theme.h"
@@ -198,7 +199,9 @@ std::vector<SeedFact> seedFacts(const SeedUpdateView& u, double truth) {
   return facts;
 }
 
-void drawSeedPanel(PanelContext& c) {
+namespace {
+
+void draw(PanelContext& c) {
   const ViewedUpdate v = viewedUpdate(c);
   if (saysNoSeed(c, v)) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {grid(1), grid(1)});
@@ -218,5 +221,20 @@ void drawSeedPanel(PanelContext& c) {
   if (!c.state.seed.pinned.empty()) pinnedRows(c, filterGates(c));
   saysNoUpdate(c, *v.trace);
 }
+
+std::string csv(PanelContext& c) {
+  const ViewedUpdate v = viewedUpdate(c);
+  return v.trace && !v.trace->updates.empty() ? traceCsv(*v.trace) : std::string();
+}
+
+std::vector<PanelOption> scriptOptions() {
+  return {stateOption("seed.distance", &UiState::seed, &SeedOptions::distance),
+          stateOption("seed.whole_range", &UiState::seed, &SeedOptions::whole_range),
+          stateOption("seed.image_follows", &UiState::seed, &SeedOptions::image_follows)};
+}
+
+}  // namespace
+
+extern const Panel kSeedPanel{"Seed", draw, csv, /*charts=*/true, scriptOptions};
 
 }  // namespace svoscope::ui

@@ -105,10 +105,11 @@ void pinnedRows(PanelContext& c, const FilterGates& gates) {
   heading("Pinned: density over 0 … R, and σ / R from 1 to 0.001 over updates");
   std::size_t most = 2;
   for (const std::int64_t id : c.state.seed.pinned) {
-    if (const SeedTrace* t = c.caches.traces.find(id)) most = std::max(most, t->updates.size());
+    if (const SeedTrace* t = c.cache<SeedTraces>().find(id))
+      most = std::max(most, t->updates.size());
   }
   for (const std::int64_t id : c.state.seed.pinned) {
-    if (const SeedTrace* t = c.caches.traces.find(id)) row(c, *t, gates, most);
+    if (const SeedTrace* t = c.cache<SeedTraces>().find(id)) row(c, *t, gates, most);
   }
 }
 

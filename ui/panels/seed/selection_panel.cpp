@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/seed_trace.h"
 #include "ui/palette.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/panel_context.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
@@ -173,9 +175,7 @@ const char* kindName(Selection::Kind kind) {
   return "";
 }
 
-}  // namespace
-
-void drawSelectionPanel(PanelContext& c) {
+void draw(PanelContext& c) {
   const Selection& s = c.state.selection;
   if (!s) {
     return emptyState("Nothing selected",
@@ -208,5 +208,9 @@ void drawSelectionPanel(PanelContext& c) {
   }
   histories(c);
 }
+
+}  // namespace
+
+extern const Panel kSelectionPanel{"Selection", draw};
 
 }  // namespace svoscope::ui

@@ -10,6 +10,7 @@
 #include "tests/support/scripted_runner.h"
 #include "tests/ui/inspector/inspector_fixture.h"
 #include "ui/model/seed_trace.h"
+#include "ui/panels/filter/divergence_view.h"
 #include "ui/panels/filter/filter_stats.h"
 #include "ui/panels/filter/lab_view.h"
 #include "ui/panels/seed/densities.h"
@@ -48,7 +49,7 @@ class SeedPanels : public InspectorTest {
 TEST_F(SeedPanels, ShowTheNumbersOfTheSnapshot) {
   openAt(60, "Seed");
   ASSERT_TRUE(Probe::find("Belief density"));
-  const SeedTrace* trace = inspector_->caches().traces.find(update_.seed_id);
+  const SeedTrace* trace = inspector_->caches().own.get<SeedTraces>().find(update_.seed_id);
   ASSERT_TRUE(trace);
   EXPECT_EQ(state().seed.held_updates, static_cast<int>(trace->updates.size()));
   EXPECT_EQ(state().seed.shown_update, state().seed.held_updates) << "live: the newest update";
@@ -101,7 +102,7 @@ TEST_F(SeedPanels, PinnedSeedsStayAndCanBeSelected) {
   const std::int64_t pinned = state().seed.pinned.front();
   state().selection = {Selection::Kind::seed, runner_->latest()->seeds->front().id};
   frames(3);
-  EXPECT_TRUE(inspector_->caches().traces.find(pinned));
+  EXPECT_TRUE(inspector_->caches().own.get<SeedTraces>().find(pinned));
   state().selection = {Selection::Kind::seed, pinned};
   frames(3);
   click("Unpin");
@@ -110,7 +111,7 @@ TEST_F(SeedPanels, PinnedSeedsStayAndCanBeSelected) {
 
 TEST_F(SeedPanels, ExportsEveryUpdate) {
   openAt(60, "Seed");
-  const SeedTrace* trace = inspector_->caches().traces.find(update_.seed_id);
+  const SeedTrace* trace = inspector_->caches().own.get<SeedTraces>().find(update_.seed_id);
   const std::string csv = traceCsv(*trace);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(trace->updates.size()) + 1);
 }
@@ -156,9 +157,10 @@ TEST_F(SeedPanels, BrushSelectsTheSeedsInTheRectangle) {
   frames(2);
   input.setButton(0, false);
   frames(3);
-  EXPECT_TRUE(state().divergence.brushed);
+  EXPECT_TRUE(state().run_options.get<DivergenceOptions>().brushed);
   std::set<std::int64_t> all;
-  for (const UpdatePoint& p : inspector_->caches().filter.points()) all.insert(p.seed_id);
+  for (const UpdatePoint& p : inspector_->caches().own.get<FilterStats>().points())
+    all.insert(p.seed_id);
   EXPECT_GT(state().highlighted.size(), all.size() / 2);
   click("Clear brush");
   EXPECT_TRUE(state().highlighted.empty());
