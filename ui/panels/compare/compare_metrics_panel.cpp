@@ -90,7 +90,7 @@ Swatch swatchOf(Dash dash) {
 void updateComparison(PanelContext& c) {
   std::vector<CompareSource> sources;
   for (const auto& caches : c.all_caches) sources.push_back({&caches->run, &caches->truth});
-  c.compare.update(c.runs, sources, static_cast<AlignMode>(c.state.align_mode), !c.status.playing);
+  c.compare.update(c.runs, sources, static_cast<Alignment>(c.state.align_mode), !c.status.playing);
 }
 
 bool comparing(PanelContext& c) {
