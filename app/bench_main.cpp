@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <string>
 
 #include "engine/dataset/sequence.h"
 #include "engine/frame/rectifier.h"
+#include "engine/mapping/divergence.h"
 #include "engine/mapping/seed_update.h"
 
 namespace {
@@ -108,17 +110,29 @@ void mappingFrame(benchmark::State& state, FilterRule rule, bool shadow) {
   state.SetItemsProcessed(updates);
 }
 
-BENCHMARK_CAPTURE(update, kl, FilterRule::kl);
-BENCHMARK_CAPTURE(update, js, FilterRule::js);
 BENCHMARK_CAPTURE(divergence, jsd_table, true);
 BENCHMARK_CAPTURE(divergence, jsd_numeric, false);
-BENCHMARK_CAPTURE(mappingFrame, kl, FilterRule::kl, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mappingFrame, js, FilterRule::js, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mappingFrame, kl_with_shadow, FilterRule::kl, true)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mappingFrame, js_with_shadow, FilterRule::js, true)
-    ->Unit(benchmark::kMillisecond);
+
+/// Every rule alone, and with the others as its shadows.
+void registerRules() {
+  for (const FilterRule rule : kRules) {
+    const std::string id = ruleInfo(rule).id;
+    benchmark::RegisterBenchmark(("update/" + id).c_str(), update, rule);
+    for (const bool shadow : {false, true}) {
+      const std::string name = "mappingFrame/" + id + (shadow ? "_with_shadow" : "");
+      benchmark::RegisterBenchmark(name.c_str(), mappingFrame, rule, shadow)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  registerRules();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

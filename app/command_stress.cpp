@@ -110,7 +110,7 @@ void addStressCommand(CLI::App& app, Action& action) {
       ->type_name("DIR");
   command->add_option("--methods", arguments->methods, "Methods, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember({"svo", "pl-svo", "it-svo"}))
+      ->check(CLI::IsMember(methodIds()))
       ->type_name("LIST")
       ->capture_default_str();
   command->add_option("--stresses", arguments->names, "Stresses, separated by commas; default: all")

@@ -10,10 +10,6 @@
 
 namespace svoscope {
 
-namespace {
-const std::vector<std::string> kMethods{"svo", "pl-svo", "it-svo"};
-}
-
 RunSettings RunSettings::with(const std::string& other_method) const {
   RunSettings other = *this;
   other.method = other_method;
@@ -26,16 +22,18 @@ void RunSettings::addTo(CLI::App& command, bool required, const char* what) {
   const auto choose = [this](const std::vector<std::string>& chosen) {
     methods.clear();
     for (const std::string& name : chosen) {
-      for (const std::string& one : name == "all" ? kMethods : std::vector<std::string>{name}) {
+      for (const std::string& one : name == "all" ? methodIds() : std::vector<std::string>{name}) {
         if (std::find(methods.begin(), methods.end(), one) == methods.end()) methods.push_back(one);
       }
     }
     method = methods.front();
   };
+  std::vector<std::string> choices = methodIds();
+  choices.push_back("all");
   CLI::Option* chosen_method = command
                                    .add_option_function<std::vector<std::string>>(
                                        "--method", choose, "Odometry method; repeatable")
-                                   ->check(CLI::IsMember({"svo", "pl-svo", "it-svo", "all"}))
+                                   ->check(CLI::IsMember(choices))
                                    ->allow_extra_args(false)
                                    ->type_name("METHOD")
                                    ->default_str(method);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/methods.h"
 #include "engine/runner/make_runner.h"
 
 namespace CLI {
@@ -16,9 +17,9 @@ class Option;
 namespace svoscope {
 
 struct RunSettings {
-  std::string sequence, method = "it-svo", config;
+  std::string sequence, method = kDefaultMethod, config;
   std::vector<std::string> methods{
-      "it-svo"};  ///< as chosen by --method, "all" written out; `method` is the first
+      kDefaultMethod};  ///< as chosen by --method, "all" written out; `method` is the first
   std::vector<std::string> assignments;  ///< "key=value"
   int start = 0;
   int max_frames = -1;

@@ -137,7 +137,7 @@ PanelContext Inspector::makeContext() {
   c.snapshot = runs_.size() > 1 || !c.live() ? runner_.at(c.viewedFrame()) : c.latest;
   c.record = c.snapshot ? &c.snapshot->record : now().run.find(c.viewedFrame());
   now().truth.update(now().run.records(), c.info.ground_truth,
-                     static_cast<AlignMode>(state_.align_mode), now().run.generation(),
+                     static_cast<Alignment>(state_.align_mode), now().run.generation(),
                      !c.status.playing);
   now().selection.update(runner_, state_.selection, c.latest);
   state_.linked_x.known = framesOf(caches_);

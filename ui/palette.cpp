@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/methods.h"
+
 namespace svoscope::ui {
 
 namespace {
@@ -54,11 +56,11 @@ ImU32 withAlpha(ImU32 color, float alpha) {
 
 ImVec4 toVec4(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
 
-ImU32 methodColor(const std::string& method) {
-  if (method == "svo") return okabe::orange;
-  if (method == "pl-svo") return okabe::purple;
-  return okabe::sky;
+ImU32 lookColor(const Look& look) {
+  return IM_COL32(look.rgb >> 16, (look.rgb >> 8) & 255u, look.rgb & 255u, 255);
 }
+
+ImU32 methodColor(const std::string& method) { return lookColor(methodLook(method)); }
 
 ImU32 otherRunColor(int index) {
   constexpr std::array<ImU32, 4> colors = {okabe::green, okabe::yellow, okabe::vermillion,
@@ -67,14 +69,13 @@ ImU32 otherRunColor(int index) {
 }
 
 const char* methodName(const std::string& method) {
-  if (method == "svo") return "SVO";
-  if (method == "pl-svo") return "PL-SVO";
-  if (method == "it-svo") return "IT-SVO";
-  return method.c_str();
+  const MethodInfo* known = findMethod(method);
+  return known ? known->label : method.c_str();
 }
 
-ImU32 ruleColor(Rule rule) { return rule == Rule::kl ? okabe::orange : okabe::sky; }
-const char* ruleName(Rule rule) { return rule == Rule::kl ? "KL" : "JS"; }
+ImU32 ruleColor(FilterRule rule) { return lookColor(ruleInfo(rule).look); }
+bool ruleDashed(FilterRule rule) { return ruleInfo(rule).look.dash != Dash::solid; }
+const char* ruleName(FilterRule rule) { return ruleInfo(rule).label; }
 
 ImU32 originColor(FeatureOrigin origin) {
   switch (origin) {

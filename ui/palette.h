@@ -8,6 +8,7 @@
 
 #include <string>
 
+#include "engine/base/look.h"
 #include "engine/snapshot/snapshot.h"
 
 namespace svoscope::ui {
@@ -46,14 +47,15 @@ constexpr ImU32 ground_truth = IM_COL32(196, 200, 206, 255);
 ImU32 withAlpha(ImU32 color, float alpha);
 ImVec4 toVec4(ImU32 color);
 
-/// One colour per method, everywhere: "svo", "pl-svo", "it-svo".
+ImU32 lookColor(const Look& look);
+/// One colour per method, everywhere (engine/base/methods.h).
 ImU32 methodColor(const std::string& method);
 /// Runs that are not the first of their method, and trajectories of other systems; counted from 0.
 ImU32 otherRunColor(int index);
-/// The two rules of the depth filter, everywhere; lines of KL are dashed, too, its points diamonds.
-enum class Rule : int { kl, js };
-ImU32 ruleColor(Rule rule);
-const char* ruleName(Rule rule);
+/// The rules of the depth filter, everywhere (engine/base/rules.h).
+ImU32 ruleColor(FilterRule rule);
+bool ruleDashed(FilterRule rule);  ///< its lines: dashed or dotted
+const char* ruleName(FilterRule rule);
 ImU32 originColor(FeatureOrigin origin);
 /// Outliers and features that did not align have a colour of their own, inliers that of the origin.
 ImU32 featureColor(const FeatureView& feature);

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "engine/base/methods.h"
 #include "engine/bench/yaml_reader.h"
 #include "engine/dataset/synthetic/spec.h"
 #include "engine/dataset/synthetic/synthetic.h"
@@ -19,8 +20,6 @@ namespace svoscope {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::vector<std::string> kMethods = {"svo", "pl-svo", "it-svo"};
 
 class Reader {
  public:
@@ -131,11 +130,11 @@ class Reader {
 
   void readMethods(const YAML::Node& node) {
     if (!node.IsDefined()) {
-      config_.methods = kMethods;
+      config_.methods = methodIds();
       return;
     }
     for (const auto& entry : list(node, "methods")) {
-      config_.methods.push_back(oneOf(entry, "method", kMethods));
+      config_.methods.push_back(oneOf(entry, "method", methodIds()));
       checkName(entry, config_.methods.back(), "method");
     }
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/methods.h"
 #include "engine/eval/estimate.h"
 
 namespace svoscope {
@@ -50,7 +51,8 @@ StageTime stageTime(const std::vector<FrameRecord>& records, Stage stage) {
 }
 
 Json seedsJson(const RunMetrics& metrics) {
-  Json rules = {{"kl", nullptr}, {"js", nullptr}};
+  Json rules;
+  for (const RuleInfo& rule : kRuleTable) rules[rule.id] = nullptr;
   rules[seedRule(metrics.method)] = {
       {"converged", metrics.seeds.converged},
       {"rejected", metrics.seeds.rejected},
@@ -79,7 +81,10 @@ std::string evaluationText(const RunMetrics& metrics) {
 
 }  // namespace
 
-const char* seedRule(const std::string& method) { return method == "it-svo" ? "js" : "kl"; }
+const char* seedRule(const std::string& id) {
+  const MethodInfo* method = findMethod(id);
+  return ruleInfo(method ? method->rule : kRules.front()).id;
+}
 
 double percentile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;

@@ -45,7 +45,7 @@ struct RunMetrics {
   double peak_rss_mb = 0;
 };
 
-/// "js" for it-svo, else "kl".
+/// Id of the filter rule of a method, "js"; of the first rule if there is no such method.
 const char* seedRule(const std::string& method);
 
 /// Fills what follows from the rows: all counts, fractions and times, but not fps, map, seeds'

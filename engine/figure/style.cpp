@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "engine/figure/style.h"
 
-#include <array>
+#include <fmt/format.h>
 
 namespace svoscope {
 
-FigureStyle numberedStyle(std::size_t number) {
-  static const std::array<FigureStyle, 4> kStyles = {
-      {{"#0072b2", ""}, {"#e69f00", "4 4"}, {"#009e73", "9 9"}, {"#d55e00", ""}}};
-  return kStyles[number % kStyles.size()];
+FigureStyle styleOf(const Look& look) {
+  const char* dash = look.dash == Dash::dashed ? "7 3" : look.dash == Dash::dotted ? "2 2" : "";
+  return {fmt::format("#{:06x}", look.rgb), dash};
 }
 
 }  // namespace svoscope

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <string>
+
+#include "engine/base/look.h"
 
 namespace svoscope {
 
@@ -13,8 +14,7 @@ struct FigureStyle {
   double opacity = 1;  ///< of bars and dots
 };
 
-/// For series that have no look of their own, such as the rules of a study: four that differ in
-/// Okabe-Ito colour, then again.
-FigureStyle numberedStyle(std::size_t number);
+/// A method or rule as its table says (engine/base/methods.h, rules.h).
+FigureStyle styleOf(const Look& look);
 
 }  // namespace svoscope

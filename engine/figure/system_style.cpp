@@ -3,16 +3,13 @@
 
 #include <array>
 
+#include "engine/base/methods.h"
+
 namespace svoscope {
 
-SvgStyle methodStyle(const std::string& method) {
-  // Okabe-Ito orange, purple and sky, as ui/palette.cpp has them; a test compares the two.
-  if (method == "svo") return {"#e69f00", "7 3"};
-  if (method == "pl-svo") return {"#cc79a7", "2 2"};
-  return {"#56b4e9", ""};
-}
+FigureStyle methodStyle(const std::string& method) { return styleOf(methodLook(method)); }
 
-SvgStyle otherStyle(int number) {
+FigureStyle otherStyle(int number) {
   static const std::array<const char*, 5> kColors = {"#009e73", "#0072b2", "#d55e00", "#8c6d1f",
                                                      "#7f7f7f"};
   const int count = static_cast<int>(kColors.size());

@@ -3,16 +3,15 @@
 
 #include <string>
 
-#include "engine/figure/svg_plot.h"
+#include "engine/figure/style.h"
 
 namespace svoscope {
 
-/// One colour and dash per method, those of the inspector: "svo", "pl-svo", "it-svo". Anything else
-/// has the colour of it-svo.
-SvgStyle methodStyle(const std::string& method);
+/// Colour and dash of a method (engine/base/methods.h); anything else has those of the default one.
+FigureStyle methodStyle(const std::string& method);
 
 /// For what has no colour of its own, such as external trajectories: Okabe-Ito colours the methods
 /// do not use, dashed from the sixth on.
-SvgStyle otherStyle(int number);
+FigureStyle otherStyle(int number);
 
 }  // namespace svoscope

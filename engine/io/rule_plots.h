@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "engine/figure/line_plot.h"
+#include "engine/study/rule_variants.h"
 
 namespace svoscope {
 
-/// A plot with a series for each row (with a member `rule`), four of which fill an image: the same
-/// rule has the same look in every plot. `fill(row, series)` adds the points.
+/// A plot with a series for each row (its member `rule` names a RuleVariant), four of which fill an
+/// image: a rule has its look of the table, terms of a rule are thinner. `fill(row, series)` adds
+/// the points.
 template <typename Row, typename Fill>
 LinePlot rulePlot(const std::vector<Row>& rows, const std::string& title,
                   const std::string& x_label, const std::string& y_label, const Fill& fill) {
@@ -21,11 +23,14 @@ LinePlot rulePlot(const std::vector<Row>& rows, const std::string& title,
   plot.y_label = y_label;
   plot.width = 480;
   plot.height = 294;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (const Row& row : rows) {
     LineSeries series;
-    series.name = rows[i].rule;
-    series.style = numberedStyle(i);
-    fill(rows[i], series);
+    series.name = row.rule;
+    if (const RuleVariant* variant = findRuleVariant(series.name)) {
+      series.style = styleOf(variant->look);
+      series.width = variant->whole ? 2 : 1.4;
+    }
+    fill(row, series);
     plot.series.push_back(std::move(series));
   }
   return plot;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/mapping/depth_filter.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace svoscope {
 
 namespace {
 constexpr double kSqrtTwoPi = 2.5066282746310002;
-constexpr double kMinAffinity = 1e-6;  // keeps C1 and tau_h defined at the limit log 2
 
 bool valid(const Belief& q) {
   return std::isfinite(q.mu) && std::isfinite(q.sigma2) && q.sigma2 > 0 && std::isfinite(q.a) &&
@@ -41,22 +39,6 @@ Belief momentMatch(const Belief& q, const Measurement& m, double weight) {
   next.a = (e - f) / (f - e / f);
   next.b = next.a * (1 - f) / f;
   return valid(next) ? next : q;
-}
-
-Belief updateJs(const Belief& q, const Measurement& m, const JsSwitches& switches,
-                const Agreement& agreement) {
-  const double w = std::clamp(agreement.affinity, kMinAffinity, 1.0);
-  Measurement fused = m;
-  if (switches.fuse_variance) {
-    const double offset = q.mu - m.x;
-    const double mixture = 0.5 * (q.sigma2 + m.tau2) + 0.25 * offset * offset;  // Var((p + q) / 2)
-    fused.tau2 = 1.0 / (1.0 / m.tau2 + w / mixture);  // (22), tau_h^2 = Var / w
-  }
-  return momentMatch(q, fused, switches.weight_responsibility ? w : 1.0);
-}
-
-Belief updateJs(const Belief& q, const Measurement& m, const JsSwitches& switches) {
-  return updateJs(q, m, switches, agreement(q.mu, q.sigma2, m.x, m.tau2));
 }
 
 }  // namespace svoscope

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The Gaussian x Beta depth filter (Vogiatzis & Hernandez, IVC 2011) on inverse distance: one
-// measurement updates the belief q(z, rho) = N(z | mu, sigma^2) Beta(rho | a, b). docs/method.md.
+// measurement updates the belief q(z, rho) = N(z | mu, sigma^2) Beta(rho | a, b). docs/filters.md.
 #pragma once
 
-#include <cstdint>
+#include <array>
 
-#include "engine/mapping/divergence.h"
+#include "engine/base/rules.h"
 
 namespace svoscope {
-
-/// How one measurement changes a belief. KL: SVO and PL-SVO; JS: IT-SVO.
-enum class FilterRule : std::uint8_t { kl, js };
 
 /// Belief of a seed. Inverse distance in 1/map unit.
 struct Belief {
@@ -27,33 +24,42 @@ struct Measurement {
   double x = 0, tau2 = 1, range = 1;
 };
 
-/// Moment matching of the exact one-step posterior (Kullback-Leibler projection; paper (9)-(10)).
-/// `weight` scales the inlier responsibility C1 (1 = the KL rule). The belief is returned
-/// unchanged where the measurement is not finite or the result would not be.
-Belief momentMatch(const Belief& belief, const Measurement& m, double weight);
-
 /// The two terms of the JS rule, switched apart to see what each of them does.
 struct JsSwitches {
   bool fuse_variance = true;          ///< tau' of (22) in place of tau
   bool weight_responsibility = true;  ///< C1 scaled by the affinity w
 };
 
-/// The rule of SVO and PL-SVO.
-inline Belief updateKl(const Belief& belief, const Measurement& m) {
-  return momentMatch(belief, m, 1.0);
-}
+/// What the rules can be told; each reads its own part.
+struct RuleSettings {
+  JsSwitches js;
+};
 
-/// The rule of IT-SVO. The paper leaves tau_h^2 of (22), "the variance introduced by the JS
-/// divergence", open; our reading: tau_h^2 = Var(m) / w with the mixture m of belief and
-/// measurement.
-Belief updateJs(const Belief& belief, const Measurement& m, const JsSwitches& switches = {});
-/// The same with an agreement of belief and measurement known already.
-Belief updateJs(const Belief& belief, const Measurement& m, const JsSwitches& switches,
-                const Agreement& agreement);
+/// A rule: the belief after one measurement. The belief is returned unchanged where the measurement
+/// is not finite or the result would not be.
+using UpdateFunction = Belief (*)(const Belief&, const Measurement&, const RuleSettings&);
+
+/// One function per row of the rule table, each in a file of its own in engine/mapping/rules/.
+namespace rules {
+#define SVOSCOPE_RULE(id, label, rgb, dash) \
+  Belief id(const Belief& belief, const Measurement& m, const RuleSettings& settings);
+SVOSCOPE_FILTER_RULES(SVOSCOPE_RULE)
+#undef SVOSCOPE_RULE
+}  // namespace rules
+
+inline constexpr std::array<UpdateFunction, kRuleCount> kUpdateFunctions{
+#define SVOSCOPE_RULE(id, label, rgb, dash) &rules::id,
+    SVOSCOPE_FILTER_RULES(SVOSCOPE_RULE)
+#undef SVOSCOPE_RULE
+};
 
 inline Belief updateBelief(FilterRule rule, const Belief& belief, const Measurement& m,
-                           const JsSwitches& switches) {
-  return rule == FilterRule::js ? updateJs(belief, m, switches) : updateKl(belief, m);
+                           const RuleSettings& settings = {}) {
+  return kUpdateFunctions[static_cast<std::size_t>(rule)](belief, m, settings);
 }
+
+/// Moment matching of the exact one-step posterior (Kullback-Leibler projection; paper (9)-(10)),
+/// of which rules are made. `weight` scales the inlier responsibility C1 (1 = the KL rule).
+Belief momentMatch(const Belief& belief, const Measurement& m, double weight);
 
 }  // namespace svoscope

@@ -31,8 +31,8 @@ struct FeatureAnchor {
 struct Seed : SeedLife {
   FeatureAnchor anchor;    ///< in its keyframe
   Belief belief;           ///< of the rule in use: decides status and map
-  Belief shadow;           ///< of the other rule, on the same measurements; for inspection
-  bool has_shadow = true;  ///< no measurement was kept from it
+  ByRule<Belief> shadow;   ///< of the other rules, on the same measurements; for inspection
+  bool has_shadow = true;  ///< no measurement was kept from them
   double score = 0;        ///< of the detector
   double last_x = 0, last_tau = 0;
 };

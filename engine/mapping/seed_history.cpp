@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/mapping/divergence.h"
 #include "engine/mapping/seed_update.h"
 
 namespace svoscope {
@@ -11,7 +12,7 @@ BeliefView beliefView(const Seed& seed, FilterRule rule, FilterRule rule_in_use)
   BeliefView v;
   const bool in_use = rule == rule_in_use;
   if (!in_use && !seed.has_shadow) return v;
-  const Belief& q = in_use ? seed.belief : seed.shadow;
+  const Belief& q = in_use ? seed.belief : seed.shadow[rule];
   v.mu = static_cast<float>(q.mu);
   v.sigma = static_cast<float>(std::sqrt(q.sigma2));
   v.a = static_cast<float>(q.a);
@@ -27,10 +28,10 @@ SeedUpdateView describeUpdate(const Seed& before, const Seed& after, const SeedM
   v.frame_index = m.frame_index;
   v.outcome = m.outcome;
   v.score = std::isfinite(m.score) ? static_cast<float>(m.score) : 0.0f;
-  v.kl_before = beliefView(before, FilterRule::kl, rule_in_use);
-  v.js_before = beliefView(before, FilterRule::js, rule_in_use);
-  v.kl_after = beliefView(after, FilterRule::kl, rule_in_use);
-  v.js_after = beliefView(after, FilterRule::js, rule_in_use);
+  for (const FilterRule rule : kRules) {
+    v.before[rule] = beliefView(before, rule, rule_in_use);
+    v.after[rule] = beliefView(after, rule, rule_in_use);
+  }
   const bool measured = m.outcome == SearchOutcome::matched || m.outcome == SearchOutcome::tracked;
   if (!measured || !std::isfinite(m.x) || !std::isfinite(m.tau) || !(m.tau > 0)) return v;
   v.px = m.px.cast<float>();

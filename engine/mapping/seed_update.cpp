@@ -65,7 +65,7 @@ Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double medi
   const double sigma = seed.range * p.initial_sigma_fraction;
   seed.belief.sigma2 = sigma * sigma;
   seed.belief.a = seed.belief.b = p.initial_ab;
-  seed.shadow = seed.belief;
+  seed.shadow.fill(seed.belief);
   return seed;
 }
 
@@ -73,10 +73,12 @@ namespace {
 
 void updateBeliefs(Seed& seed, const SeedMeasurement& m, const DepthFilterParameters& p) {
   const Measurement measured{m.x, m.tau * m.tau, seed.range};
-  seed.belief = updateBelief(p.rule, seed.belief, measured, p.js);
+  seed.belief = updateBelief(p.rule, seed.belief, measured, p.rules);
   if (!seed.has_shadow) return;
-  const FilterRule other = p.rule == FilterRule::kl ? FilterRule::js : FilterRule::kl;
-  seed.shadow = updateBelief(other, seed.shadow, measured, p.js);
+  for (const FilterRule rule : kRules) {
+    if (rule == p.rule) continue;
+    seed.shadow[rule] = updateBelief(rule, seed.shadow[rule], measured, p.rules);
+  }
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ void applyMeasurement(Seed& seed, const SeedMeasurement& m, const DepthFilterPar
       break;
     case Evidence::missed:
       seed.belief.b += 1;
-      seed.shadow.b += 1;
+      for (Belief& shadow : seed.shadow) shadow.b += 1;
       break;
     case Evidence::none:
       return;

@@ -22,8 +22,8 @@ struct DepthFilterParameters {
   double reject_inlier_ratio = 0.08;        ///< rejected below
   int max_seeds_per_keyframe = 400;
   FilterRule rule = FilterRule::kl;  ///< decided by the method
-  JsSwitches js;
-  bool shadow = true;  ///< update the other rule too, where it can be seen
+  RuleSettings rules;
+  bool shadow = true;  ///< update the other rules too, where they can be seen
 };
 
 /// Values the mapping thread needs of one keyframe.
@@ -115,7 +115,7 @@ MappingResult runMappingJob(const MappingJob& job, const MappingParameters& para
 Seed makeSeed(const DetectedFeature& feature, const Pinhole& camera, double median_depth,
               double min_depth, const DepthFilterParameters& parameters);
 
-/// Applies a measurement (or its absence) to the beliefs of both rules, and by the one in use to
+/// Applies a measurement (or its absence) to the beliefs of all rules, and by the one in use to
 /// the status of a seed.
 void applyMeasurement(Seed& seed, const SeedMeasurement& m,
                       const DepthFilterParameters& parameters);

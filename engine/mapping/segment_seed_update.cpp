@@ -149,8 +149,8 @@ void applySegmentMeasurement(SegmentSeed& seed, const SegmentMeasurement& m,
     case Evidence::measured: {
       double a = 0, b = 0;
       for (int i = 0; i < 2; ++i) {
-        seed.belief[i] =
-            updateBelief(p.rule, seed.belief[i], {m.x[i], m.tau[i] * m.tau[i], seed.range}, p.js);
+        seed.belief[i] = updateBelief(p.rule, seed.belief[i],
+                                      {m.x[i], m.tau[i] * m.tau[i], seed.range}, p.rules);
         a += 0.5 * seed.belief[i].a;
         b += 0.5 * seed.belief[i].b;
         seed.last_x[i] = m.x[i];

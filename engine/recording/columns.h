@@ -97,10 +97,11 @@ void visitSeedUpdate(R& v, F&& f) {
   f("score", v.score);
   f("x", v.x);
   f("tau", v.tau);
-  f("kl_before", v.kl_before);
-  f("kl_after", v.kl_after);
-  f("js_before", v.js_before);
-  f("js_after", v.js_after);
+  for (const FilterRule rule : kRules) {
+    const std::string id = ruleInfo(rule).id;
+    f((id + "_before").c_str(), v.before[rule]);
+    f((id + "_after").c_str(), v.after[rule]);
+  }
   f("kl_belief_measurement", v.kl_belief_measurement);
   f("kl_measurement_belief", v.kl_measurement_belief);
   f("jsd", v.jsd);
@@ -171,8 +172,7 @@ void visitSeedState(R& v, F&& f) {
   f("sigma", v.sigma);
   f("a", v.a);
   f("b", v.b);
-  f("kl", v.kl);
-  f("js", v.js);
+  for (const FilterRule rule : kRules) f(ruleInfo(rule).id, v.belief[rule]);
   f("range", v.range);
   f("updates", v.updates);
   f("failures", v.failures);

@@ -10,8 +10,10 @@
 namespace svoscope {
 
 constexpr std::int64_t kRecordingId = 0x53564f53;  ///< PRAGMA application_id: "SVOS"
-constexpr std::int64_t kSchemaVersion = 2;  ///< PRAGMA user_version; grows when the tables change
-constexpr int kSeedKeyInterval = 32;        ///< frames from one complete seed blob to the next
+/// PRAGMA user_version; the 2 grows when the tables change. Every rule of the depth filter beyond
+/// the first two adds columns of its own, so that files of other rule tables are told apart.
+constexpr std::int64_t kSchemaVersion = 2 + 1000 * (static_cast<std::int64_t>(kRuleCount) - 2);
+constexpr int kSeedKeyInterval = 32;  ///< frames from one complete seed blob to the next
 
 /// Key of the n-th feature or seed update of a frame: those of a frame lie side by side, without an
 /// index.

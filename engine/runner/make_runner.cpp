@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "engine/runner/make_runner.h"
 
-#include <optional>
-
+#include "engine/base/methods.h"
 #include "engine/runner/sync_runner.h"
 #include "engine/runner/threaded_runner.h"
 
 namespace svoscope {
 
-namespace {
-
-std::optional<FilterRule> ruleOf(const std::string& method) {
-  if (method == "svo" || method == "pl-svo") return FilterRule::kl;
-  if (method == "it-svo") return FilterRule::js;
-  return std::nullopt;
-}
-
-}  // namespace
-
-Status applyMethod(Parameters& parameters, const std::string& method) {
-  const auto rule = ruleOf(method);
-  if (!rule)
-    return usageError("method '" + method + "' is not available", "--method",
-                      "use svo, pl-svo or it-svo");
-  parameters.tracker.mapping.filter.rule = *rule;
-  parameters.tracker.mapping.segments.enabled = method != "svo";
+Status applyMethod(Parameters& parameters, const std::string& id) {
+  const MethodInfo* method = findMethod(id);
+  if (!method)
+    return usageError("method '" + id + "' is not available", "--method", "use " + methodList());
+  parameters.tracker.mapping.filter.rule = method->rule;
+  parameters.tracker.mapping.segments.enabled = method->segments;
   return Done{};
 }
 

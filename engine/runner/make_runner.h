@@ -11,7 +11,7 @@
 namespace svoscope {
 
 struct RunnerOptions {
-  std::string method = "svo";
+  std::string method = "svo";  ///< id of engine/base/methods.h
   bool threaded = true;
   int start = 0;        ///< first frame
   int max_frames = -1;  ///< -1: to the end

@@ -135,10 +135,10 @@ void visitMapping(P& p, F&& f) {
     m.filter.shadow);
   f(ParameterInfo{"filter.js_fuse_variance", "",
                   "JS: variance of the measurement fused with that of the mixture", 0, 1},
-    m.filter.js.fuse_variance);
+    m.filter.rules.js.fuse_variance);
   f(ParameterInfo{"filter.js_weight_responsibility", "",
                   "JS: inlier responsibility weighted by the affinity", 0, 1},
-    m.filter.js.weight_responsibility);
+    m.filter.rules.js.weight_responsibility);
   f(ParameterInfo{"filter.max_seeds", "", "new seeds per keyframe", 10, 5000},
     m.filter.max_seeds_per_keyframe);
 }

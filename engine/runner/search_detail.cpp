@@ -35,7 +35,7 @@ EpipolarQuery queryOf(const SeedView& seed, const SeedUpdateView& update,
   q.level_ref = seed.level;
   q.type = seed.type;
   q.gradient_dir = Vec2(std::cos(seed.direction), std::sin(seed.direction));
-  const BeliefView& before = rule == FilterRule::js ? update.js_before : update.kl_before;
+  const BeliefView& before = update.before[rule];
   q.mu = before.mu;
   q.sigma = before.sigma;
   return q;

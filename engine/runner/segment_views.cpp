@@ -62,8 +62,7 @@ SeedView segmentSeedView(const SegmentSeed& seed, const Tracker& tracker,
   v.sigma_end = static_cast<float>(sigma(1));
   v.a = static_cast<float>(seed.belief[0].a);
   v.b = static_cast<float>(seed.belief[0].b);
-  const bool js = tracker.parameters().mapping.filter.rule == FilterRule::js;
-  (js ? v.js : v.kl) = {v.mu, v.sigma, v.a, v.b};
+  v.belief[tracker.parameters().mapping.filter.rule] = {v.mu, v.sigma, v.a, v.b};
   v.range = static_cast<float>(seed.range);
   v.updates = seed.updates;
   v.failures = seed.failures;

@@ -52,7 +52,7 @@ FeatureView trackView(const InitializerTrack& t) {
 }
 
 /// What a seed is and believes, without where that is.
-SeedView seedState(const Seed& seed, FilterRule rule) {
+SeedView seedState(const Seed& seed, FilterRule rule_in_use) {
   SeedView v;
   v.id = seed.id;
   v.keyframe_id = seed.keyframe_id;
@@ -67,8 +67,7 @@ SeedView seedState(const Seed& seed, FilterRule rule) {
   v.sigma = static_cast<float>(std::sqrt(seed.belief.sigma2));
   v.a = static_cast<float>(seed.belief.a);
   v.b = static_cast<float>(seed.belief.b);
-  v.kl = beliefView(seed, FilterRule::kl, rule);
-  v.js = beliefView(seed, FilterRule::js, rule);
+  for (const FilterRule rule : kRules) v.belief[rule] = beliefView(seed, rule, rule_in_use);
   v.range = static_cast<float>(seed.range);
   v.updates = seed.updates;
   v.failures = seed.failures;

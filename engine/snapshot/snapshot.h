@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/base/kinds.h"
+#include "engine/base/rules.h"
 #include "engine/geometry/camera.h"
 #include "engine/geometry/trajectory.h"
 #include "engine/snapshot/frame_record.h"
@@ -45,7 +46,7 @@ struct BeliefView {
   float a = 10, b = 10;
 };
 
-/// One measurement of a seed, and what both rules made of it.
+/// One measurement of a seed, and what every rule made of it.
 struct SeedUpdateView {
   std::int64_t seed_id = -1;
   int keyframe_id = -1;
@@ -54,7 +55,7 @@ struct SeedUpdateView {
   Vec2f px = Vec2f::Zero();  ///< match in that frame, level 0; if matched or tracked
   float score = 0;           ///< zero-mean SSD per pixel of the best sample; 0: no scan
   float x = 0, tau = 0;      ///< measured inverse distance and its sigma, 1/map unit
-  BeliefView kl_before, kl_after, js_before, js_after;
+  ByRule<BeliefView> before, after;
   float kl_belief_measurement = 0;  ///< KL(belief || measurement), nats, of the rule in use
   float kl_measurement_belief = 0;  ///< KL(measurement || belief), nats
   float jsd = 0;                    ///< Jensen-Shannon divergence, nats, 0 .. log 2
@@ -75,7 +76,7 @@ struct SeedView {
   Vec2f px_ref = Vec2f::Zero();   ///< in its reference keyframe
   float mu = 0, sigma = 0;        ///< of the rule in use: inverse distance, 1/map unit
   float a = 10, b = 10;           ///< Beta parameters of the inlier ratio
-  BeliefView kl, js;              ///< both rules on the same measurements (shadow filter)
+  ByRule<BeliefView> belief;      ///< all rules on the same measurements (shadow filter)
   float range = 1;                ///< R of the uniform component, 1/map unit
   int updates = 0;                ///< successful measurements
   int failures = 0;               ///< searches without a match
@@ -154,7 +155,7 @@ using SnapshotPtr = std::shared_ptr<const Snapshot>;
 /// What stays the same during a run.
 struct RunInfo {
   std::string sequence;  ///< Sequence::name()
-  std::string method;    ///< "svo", "pl-svo", "it-svo"
+  std::string method;    ///< id of engine/base/methods.h, "pl-svo"
   int frames = 0;
   double rate_hz = 0;
   Pinhole camera;           ///< of the rectified images

@@ -6,6 +6,7 @@
 
 #include "engine/frame/rectifier.h"
 #include "engine/study/depth_study_judge.h"
+#include "engine/study/rule_variants.h"
 
 namespace svoscope {
 
@@ -35,10 +36,10 @@ class Study {
  public:
   Study(Sequence& sequence, const DepthStudyOptions& o)
       : sequence_(sequence), o_(o), rectifier_(sequence.camera()) {
-    for (const StudyRule& rule : studyRules()) {
+    for (const RuleVariant& rule : ruleVariants()) {
       MappingParameters p = o.mapping;
       p.filter.rule = rule.rule;
-      p.filter.js = rule.switches;
+      p.filter.rules = rule.settings;
       p.filter.shadow = false;
       parameters_.push_back(p);
     }
@@ -63,7 +64,7 @@ class Study {
                         "use a sequence with depth images");
     for (std::size_t r = 0; r < finished_.size(); ++r)
       result_.rows.push_back(
-          judgeSeeds(studyRules()[r].name, finished_[r], parameters_[r].filter, o_));
+          judgeSeeds(ruleVariants()[r].name, finished_[r], parameters_[r].filter, o_));
     return result_;
   }
 

@@ -32,7 +32,7 @@ struct DepthStudyOptions {
 };
 
 struct DepthStudyRow {
-  std::string rule;
+  std::string rule;  ///< name of its RuleVariant
   int seeds = 0;
   int converged = 0, rejected = 0,
       unfinished = 0;                    ///< converged: sigma below the threshold, any ratio
@@ -60,7 +60,7 @@ struct DepthStudyResult {
   std::string sequence, poses_from;
   int frames = 0, keyframes = 0;
   int edge_seeds = 0;  ///< left out: the truth is ambiguous at a depth edge, or unknown
-  std::vector<DepthStudyRow> rows;  ///< KL, JS fuse only, JS weight only, JS both
+  std::vector<DepthStudyRow> rows;  ///< in the order of ruleVariants()
 };
 
 /// Input error if the sequence lacks ground truth or depth.

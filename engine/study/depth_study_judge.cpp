@@ -59,14 +59,6 @@ void judgeAccepted(std::vector<double> accepted_nees, DepthStudyRow& row) {
 
 }  // namespace
 
-const std::vector<StudyRule>& studyRules() {
-  static const std::vector<StudyRule> rules = {{"KL", FilterRule::kl, {}},
-                                               {"JS fuse only", FilterRule::js, {true, false}},
-                                               {"JS weight only", FilterRule::js, {false, true}},
-                                               {"JS both", FilterRule::js, {true, true}}};
-  return rules;
-}
-
 void StudySeed::apply(const SeedMeasurement& m, const DepthFilterParameters& p) {
   applyMeasurement(seed, m, p);
   if (m.outcome != SearchOutcome::matched) return;

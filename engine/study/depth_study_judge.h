@@ -8,14 +8,6 @@
 
 namespace svoscope {
 
-struct StudyRule {
-  const char* name;
-  FilterRule rule;
-  JsSwitches switches;
-};
-/// KL, JS fuse only, JS weight only, JS both.
-const std::vector<StudyRule>& studyRules();
-
 struct StudySeed {
   Seed seed;
   double true_inverse = 1;  ///< along the ray, 1/m

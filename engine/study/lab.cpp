@@ -5,7 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "engine/mapping/depth_filter.h"
+#include "engine/mapping/divergence.h"
+#include "engine/study/rule_variants.h"
 
 namespace svoscope {
 
@@ -14,16 +15,6 @@ namespace {
 constexpr int kBaselineFrames = 40;  // the baseline grows for so many frames
 constexpr double kLeastInverseDepth = 1e-3;
 constexpr double kMissedSilent = 0.7;  // a truth outside the window gives no match so often
-
-struct Rule {
-  const char* name;
-  FilterRule rule;
-  JsSwitches switches;
-};
-const Rule kRules[] = {{"KL", FilterRule::kl, {}},
-                       {"JS fuse only", FilterRule::js, {true, false}},
-                       {"JS weight only", FilterRule::js, {false, true}},
-                       {"JS both", FilterRule::js, {true, true}}};
 
 struct SimulatedSeed {
   double depth = 1;
@@ -37,7 +28,7 @@ struct SimulatedSeed {
 
 class Simulation {
  public:
-  Simulation(const LabOptions& o, const Rule& rule)
+  Simulation(const LabOptions& o, const RuleVariant& rule)
       : o_(o), rule_(rule), random_(o.random_seed), range_(1 / o.min_depth_m) {
     seeds_.resize(static_cast<std::size_t>(o.seeds));
     for (SimulatedSeed& s : seeds_) {
@@ -75,7 +66,7 @@ class Simulation {
     } else {
       const bool stray = outlier || missed || s.hopeless;
       const double x = stray ? low + (high - low) * place : 1 / s.depth + o_.noise * tau * gauss;
-      s.belief = updateBelief(rule_.rule, s.belief, {x, tau * tau, range_}, rule_.switches);
+      s.belief = updateBelief(rule_.rule, s.belief, {x, tau * tau, range_}, rule_.settings);
     }
     if (std::sqrt(s.belief.sigma2) < range_ * o_.converged_fraction) s.converged_at = t;
   }
@@ -123,7 +114,7 @@ class Simulation {
   }
 
   const LabOptions& o_;
-  const Rule& rule_;
+  const RuleVariant& rule_;
   std::mt19937_64 random_;
   std::uniform_real_distribution<double> uniform_{0, 1};
   std::normal_distribution<double> normal_;
@@ -155,7 +146,8 @@ LabResult runLab(const LabOptions& options) {
   LabResult result;
   result.options = options;
   if (!options.check().empty()) return result;
-  for (const Rule& rule : kRules) result.rows.push_back(Simulation(options, rule).run());
+  for (const RuleVariant& rule : ruleVariants())
+    result.rows.push_back(Simulation(options, rule).run());
   return result;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filter lab: a population of simulated seeds under the KL rule, the JS rule and each of its
-// two terms alone (docs/filters.md). Nothing but the filter is simulated, so the truth is known
-// exactly.
+// The filter lab: a population of simulated seeds under every variant of rule_variants.h
+// (docs/filters.md). Nothing but the filter is simulated, so the truth is known exactly.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +39,8 @@ struct LabCurvePoint {
 };
 
 struct LabRow {
-  std::string rule;                      ///< "KL", "JS fuse only", "JS weight only", "JS both"
-  std::optional<double> median_updates;  ///< to converge, of the right seeds
+  std::string rule;                                ///< name of its RuleVariant
+  std::optional<double> median_updates;            ///< to converge, of the right seeds
   std::optional<double> median_relative_error;     ///< of the depth, right seeds
   std::optional<double> p90_relative_error;        ///< converged seeds that are not hopeless
   std::optional<double> wrong_at_80, wrong_at_60;  ///< wrong fraction at recall 0.8, 0.6
@@ -54,7 +53,7 @@ struct LabRow {
 
 struct LabResult {
   LabOptions options;
-  std::vector<LabRow> rows;  ///< in the order above
+  std::vector<LabRow> rows;  ///< in the order of ruleVariants()
 };
 
 /// Deterministic: the same options give the same result. About 0.1 ms per seed at the defaults.

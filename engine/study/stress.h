@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/methods.h"
 #include "engine/base/result.h"
 #include "engine/runner/parameters.h"
 #include "engine/study/stress_table.h"
@@ -38,7 +39,7 @@ struct StressRow {
 };
 
 struct StressOptions {
-  std::vector<std::string> methods = {"svo", "pl-svo", "it-svo"};
+  std::vector<std::string> methods = methodIds();
   Parameters parameters;
   const std::atomic<bool>* stop = nullptr;           ///< ends the suite after the current frame
   std::function<void(const std::string&)> progress;  ///< what is being run

@@ -80,7 +80,7 @@ void rescale(Belief& belief, double scale) {
 void rescaleSeeds(Keyframe& keyframe, double scale) {
   for (Seed& seed : keyframe.seeds) {
     rescale(seed.belief, scale);
-    rescale(seed.shadow, scale);
+    for (Belief& shadow : seed.shadow) rescale(shadow, scale);
     seed.range /= scale;
   }
   for (SegmentSeed& seed : keyframe.segment_seeds) {

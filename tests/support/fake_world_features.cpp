@@ -76,7 +76,8 @@ void FakeWorld::fillFeatures(Snapshot& s) const {
 namespace {
 
 // Both rules converge on the truth, JS faster.
-BeliefView fakeBelief(int i, int updates, double truth, bool js) {
+BeliefView fakeBelief(int i, int updates, double truth, FilterRule rule) {
+  const bool js = rule != FilterRule::kl;
   BeliefView b;
   const double sigma = 0.25 / (1 + (js ? 0.8 : 0.6) * updates);
   b.sigma = static_cast<float>(sigma);
@@ -93,15 +94,15 @@ SeedUpdateView fakeUpdate(const SeedView& seed, int i, int frame, double truth) 
   u.frame_index = frame;
   u.outcome = seed.outcome;
   u.px = seed.px;
-  u.kl_before = fakeBelief(i, seed.updates - 1, truth, false);
-  u.js_before = fakeBelief(i, seed.updates - 1, truth, true);
-  u.kl_after = seed.kl;
-  u.js_after = seed.js;
+  for (const FilterRule rule : kRules)
+    u.before[rule] = fakeBelief(i, seed.updates - 1, truth, rule);
+  u.after = seed.belief;
   if (u.outcome != SearchOutcome::matched) return u;
   u.score = 120;
   u.x = seed.last_x;
   u.tau = seed.last_tau;
-  const LabPair pair = comparePair(u.kl_before.mu, u.kl_before.sigma, u.x, u.tau);
+  const LabPair pair =
+      comparePair(u.before[FilterRule::kl].mu, u.before[FilterRule::kl].sigma, u.x, u.tau);
   u.kl_belief_measurement = static_cast<float>(pair.kl_pq);
   u.kl_measurement_belief = static_cast<float>(pair.kl_qp);
   u.jsd = static_cast<float>(pair.jsd);
@@ -136,14 +137,14 @@ void FakeWorld::fillSeeds(Snapshot& s) const {
     const Vec3 origin = estimate(options_.start).translation();
     const Vec3 ray = room_[k].position - origin;
     const double distance = ray.norm();
-    v.kl = fakeBelief(i, v.updates, 1 / distance, false);
-    v.js = fakeBelief(i, v.updates, 1 / distance, true);
-    const double sigma = v.kl.sigma;
-    v.sigma = v.kl.sigma;
-    v.mu = v.kl.mu;
+    for (const FilterRule rule : kRules)
+      v.belief[rule] = fakeBelief(i, v.updates, 1 / distance, rule);
+    const double sigma = v.belief[FilterRule::kl].sigma;
+    v.sigma = v.belief[FilterRule::kl].sigma;
+    v.mu = v.belief[FilterRule::kl].mu;
     v.range = 1.2f;
-    v.a = v.kl.a;
-    v.b = v.kl.b;
+    v.a = v.belief[FilterRule::kl].a;
+    v.b = v.belief[FilterRule::kl].b;
     if (options_.ground_truth) v.true_inv_distance = static_cast<float>(1 / (1.7 * distance));
     v.status = v.updates > 34 ? SeedStatus::converged : SeedStatus::active;
     v.outcome = i % 6 == 0 ? SearchOutcome::no_match : SearchOutcome::matched;

@@ -42,7 +42,7 @@ RunMetrics metricsOf(const Now& now) {
 /// NaN without a result: no comparison holds then.
 ScriptValue truthValue(const Now& now, double TruthState::*value) {
   const TruthState truth =
-      alignTruth(now.runner.records(0), now.runner.info().ground_truth, AlignMode::sim3);
+      alignTruth(now.runner.records(0), now.runner.info().ground_truth, Alignment::sim3);
   return number(truth.valid ? truth.*value : NAN);
 }
 

@@ -18,8 +18,11 @@ std::optional<ScriptValue> beliefValue(const BeliefView& b, const std::string& n
 }
 
 std::optional<ScriptValue> fieldValue(const SeedView& s, const std::string& name) {
-  if (name.rfind("kl.", 0) == 0) return beliefValue(s.kl, name.substr(3));
-  if (name.rfind("js.", 0) == 0) return beliefValue(s.js, name.substr(3));
+  const auto dot = name.find('.');
+  for (const FilterRule rule : kRules) {
+    if (dot != std::string::npos && name.substr(0, dot) == ruleInfo(rule).id)
+      return beliefValue(s.belief[rule], name.substr(dot + 1));
+  }
   if (name == "id") return number(static_cast<double>(s.id));
   if (name == "updates") return number(s.updates);
   if (name == "failures") return number(s.failures);

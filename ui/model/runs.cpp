@@ -4,22 +4,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "engine/base/methods.h"
 #include "ui/palette.h"
 
 namespace svoscope::ui {
 
 namespace {
-
-Dash methodDash(const std::string& method) {
-  // As in the figures of reports (engine/figure/system_style.h).
-  if (method == "svo") return Dash::dashed;
-  if (method == "pl-svo") return Dash::dotted;
-  return Dash::solid;
-}
-
-bool isMethod(const std::string& name) {
-  return name == "svo" || name == "pl-svo" || name == "it-svo";
-}
 
 // The first run of a method has the method's looks, all others have their own.
 std::vector<RunStyle> stylesOf(const LockstepRunner& lockstep) {
@@ -30,14 +20,14 @@ std::vector<RunStyle> stylesOf(const LockstepRunner& lockstep) {
     RunStyle style;
     style.name = lockstep.label(i);
     style.poses_only = lockstep.posesOnly(i);
-    style.label = isMethod(style.name) ? methodName(style.name) : style.name;
+    style.label = methodName(style.name);
     const std::string& method = lockstep.run(i).info().method;
-    const bool first = !style.poses_only && isMethod(method) &&
+    const bool first = !style.poses_only && findMethod(method) &&
                        std::find(seen.begin(), seen.end(), method) == seen.end();
     if (first) {
       seen.push_back(method);
       style.color = methodColor(method);
-      style.dash = methodDash(method);
+      style.dash = methodLook(method).dash;
     } else {
       style.color = otherRunColor(others);
       style.dash = others % 2 == 0 ? Dash::dashed : Dash::dotted;

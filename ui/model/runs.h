@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/look.h"
 #include "engine/runner/lockstep_runner.h"
 
 namespace svoscope::ui {
-
-/// Colour is never the only cue: lines of a run have their own pattern, too.
-enum class Dash { solid, dashed, dotted };
 
 struct RunStyle {
   std::string label;  ///< as shown: "PL-SVO", "orb"

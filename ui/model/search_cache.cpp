@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/seed_trace.h"
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
@@ -71,7 +72,7 @@ const SearchDetail* SearchCache::find(const Runner& runner, const SeedView& seed
 std::vector<Vec2f> warpedFootprint(const SeedView& seed, const SeedUpdateView& update,
                                    const Snapshot& searched, const Pinhole& camera,
                                    int search_level) {
-  const BeliefView& belief = update.kl_before.sigma > 0 ? update.kl_before : update.js_before;
+  const BeliefView& belief = firstComputed(update.before);
   if (!searched.keyframes || !(belief.mu > 0) || camera.fx <= 0) return {};
   const KeyframeView* keyframe = nullptr;
   for (const KeyframeView& k : *searched.keyframes) {

@@ -180,6 +180,13 @@ bool drawable(const BeliefView& b) {
   return std::isfinite(b.mu) && std::isfinite(b.sigma) && b.sigma > 0;
 }
 
+const BeliefView& firstComputed(const ByRule<BeliefView>& beliefs) {
+  for (const FilterRule rule : kRules) {
+    if (drawable(beliefs[rule])) return beliefs[rule];
+  }
+  return beliefs[kRules.back()];
+}
+
 double inlierRatio(const BeliefView& b) {
   const double n = static_cast<double>(b.a) + b.b;
   return b.a >= 0 && b.b >= 0 && n > 0 && std::isfinite(n) ? b.a / n : NAN;

@@ -80,6 +80,8 @@ double trueInverseDistance(const PanelContext& c, const SeedView& seed);
 
 /// sigma > 0 and all finite: the rule was computed and can be drawn.
 bool drawable(const BeliefView& belief);
+/// The belief of the first rule of the table that can be drawn; if none can, the last one's.
+const BeliefView& firstComputed(const ByRule<BeliefView>& beliefs);
 double inlierRatio(const BeliefView& belief);  ///< NaN if a + b is not positive
 
 }  // namespace svoscope::ui

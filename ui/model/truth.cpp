@@ -46,20 +46,20 @@ void bringToMap(TruthState& s, const Trajectory& truth, double until) {
 
 }  // namespace
 
-const char* alignModeName(AlignMode mode) {
-  switch (mode) {
-    case AlignMode::none:
+const char* alignmentLabel(Alignment alignment) {
+  switch (alignment) {
+    case Alignment::none:
       return "none";
-    case AlignMode::se3:
+    case Alignment::se3:
       return "SE(3)";
-    case AlignMode::sim3:
+    case Alignment::sim3:
       return "Sim(3)";
   }
   return "";
 }
 
 TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory& truth,
-                      AlignMode mode) {
+                      Alignment mode) {
   TruthState s;
   s.mode = mode;
   s.error.assign(records.size(), NAN);
@@ -70,9 +70,7 @@ TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory&
     return s;
   }
   EvalOptions options;
-  options.alignment = mode == AlignMode::none  ? Alignment::none
-                      : mode == AlignMode::se3 ? Alignment::se3
-                                               : Alignment::sim3;
+  options.alignment = mode;
   options.max_dt = kMaxDt;
   const auto result = evaluate(truth, estimate, options);
   if (!result.ok()) {
@@ -86,7 +84,7 @@ TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory&
   return s;
 }
 
-void Truth::update(const std::vector<FrameRecord>& records, const Trajectory& truth, AlignMode mode,
+void Truth::update(const std::vector<FrameRecord>& records, const Trajectory& truth, Alignment mode,
                    int generation, bool settled) {
   const bool other = generation != generation_ || mode != state_.mode || records.size() < done_;
   const std::size_t added = other ? records.size() : records.size() - done_;

@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "engine/eval/alignment.h"
 #include "engine/snapshot/snapshot.h"
 
 namespace svoscope::ui {
 
-enum class AlignMode : int { none, se3, sim3 };
-const char* alignModeName(AlignMode mode);
+/// "none", "SE(3)", "Sim(3)": for people.
+const char* alignmentLabel(Alignment alignment);
 
 struct TruthState {
   bool valid = false;   ///< at least three poses matched
   std::string problem;  ///< why there is no result, if not
-  AlignMode mode = AlignMode::sim3;
+  Alignment mode = Alignment::sim3;
   int map_id = -1;            ///< the map with most poses, which all of this is about
   int matched = 0;            ///< poses with ground truth
   double scale = 1;           ///< metres per map unit
@@ -34,7 +35,7 @@ class Truth {
  public:
   /// Recomputes if enough frames were added since the last time (`settled`: any), or the mode
   /// changed.
-  void update(const std::vector<FrameRecord>& records, const Trajectory& truth, AlignMode mode,
+  void update(const std::vector<FrameRecord>& records, const Trajectory& truth, Alignment mode,
               int generation, bool settled);
   const TruthState& state() const { return state_; }
 
@@ -46,6 +47,6 @@ class Truth {
 
 /// Without the cache, for tests.
 TruthState alignTruth(const std::vector<FrameRecord>& records, const Trajectory& truth,
-                      AlignMode mode);
+                      Alignment mode);
 
 }  // namespace svoscope::ui

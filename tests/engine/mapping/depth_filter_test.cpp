@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "engine/mapping/depth_filter.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,8 @@
 #include <limits>
 #include <map>
 #include <sstream>
+
+#include "engine/mapping/rules/js.h"
 
 namespace svoscope {
 namespace {
@@ -69,25 +69,26 @@ TEST(DepthFilter, OneStepUpdatesEqualTheReference) {
     const Agreement a = agreementNumeric(q.mu, q.sigma2, m.x, m.tau2);
     EXPECT_NEAR(klGaussian(q.mu, q.sigma2, m.x, m.tau2), v.value.at("kl"), 1e-6 * v.value.at("kl"));
     EXPECT_NEAR(a.jsd, v.value.at("jsd"), 1e-6 * v.value.at("jsd") + 1e-9);
-    expectRelative(updateKl(q, m), v.belief("kl_"), 1e-6);
+    expectRelative(updateBelief(FilterRule::kl, q, m), v.belief("kl_"), 1e-6);
     expectRelative(updateJs(q, m, {true, true}, a), v.belief("js_"), 1e-6);
     expectRelative(updateJs(q, m, {true, false}, a), v.belief("fuse_"), 1e-6);
     expectRelative(updateJs(q, m, {false, true}, a), v.belief("weight_"), 1e-6);
     // The table in place of the integral.
     EXPECT_NEAR(agreement(q.mu, q.sigma2, m.x, m.tau2).jsd, v.value.at("jsd"), 1e-4);
-    expectRelative(updateJs(q, m), v.belief("js_"), 2e-3);
+    expectRelative(updateBelief(FilterRule::js, q, m), v.belief("js_"), 2e-3);
   }
 }
 
 TEST(DepthFilter, BothSwitchesOffIsTheKlRule) {
   const Belief q{0.5, 0.01, 10, 10};
   const Measurement m{0.55, 1e-3, 1};
-  expectRelative(updateJs(q, m, {false, false}), updateKl(q, m), 1e-15);
+  expectRelative(updateBelief(FilterRule::js, q, m, {{false, false}}),
+                 updateBelief(FilterRule::kl, q, m), 1e-15);
 }
 
 TEST(DepthFilter, AtTheLimitTheJsRuleTakesTheMeasurementForAnOutlier) {
   const Belief q{0.5, 1e-4, 10, 10};
-  const Belief next = updateJs(q, {0.9, 1e-4, 1});
+  const Belief next = updateBelief(FilterRule::js, q, {0.9, 1e-4, 1});
   EXPECT_NEAR(next.mu, q.mu, 1e-6);
   EXPECT_LT(next.inlierRatio(), q.inlierRatio());
 }
@@ -98,8 +99,7 @@ TEST(DepthFilter, MeasurementsThatAreNotNumbersChangeNothing) {
        {Measurement{kNan, 1e-3, 1}, Measurement{0.5, kNan, 1}, Measurement{kInf, 1e-3, 1},
         Measurement{0.5, kInf, 1}, Measurement{0.5, -1, 1}, Measurement{0.5, 0, 1},
         Measurement{0.5, 1e-3, 0}, Measurement{0.5, 1e-3, kNan}}) {
-    for (const FilterRule rule : {FilterRule::kl, FilterRule::js})
-      expectRelative(updateBelief(rule, q, m, {}), q, 0);
+    for (const FilterRule rule : kRules) expectRelative(updateBelief(rule, q, m, {}), q, 0);
   }
 }
 
@@ -109,8 +109,7 @@ TEST(DepthFilter, ExtremeSpreadsStayFinite) {
     for (const double t2 : {tiny, small, 1e-2, large}) {
       for (const double x : {0.5, 0.5 + 1e-9, 0.0, 1e-9, 1e6}) {
         const Belief q{0.5, s2, 10, 10};
-        for (const FilterRule rule : {FilterRule::kl, FilterRule::js})
-          expectUsable(updateBelief(rule, q, {x, t2, 1}, {}));
+        for (const FilterRule rule : kRules) expectUsable(updateBelief(rule, q, {x, t2, 1}, {}));
       }
     }
   }
@@ -119,7 +118,7 @@ TEST(DepthFilter, ExtremeSpreadsStayFinite) {
 TEST(DepthFilter, CountsAtTheirLimitsStayFinite) {
   for (const double a : {1e-9, 1.0, 1e9}) {
     for (const double b : {1e-9, 1.0, 1e9}) {
-      for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) {
+      for (const FilterRule rule : kRules) {
         Belief q{0.5, 0.01, a, b};
         for (int i = 0; i < 50; ++i) q = updateBelief(rule, q, {i % 3 ? 0.5 : 0.9, 1e-4, 1}, {});
         expectUsable(q);
@@ -129,7 +128,7 @@ TEST(DepthFilter, CountsAtTheirLimitsStayFinite) {
 }
 
 TEST(DepthFilter, ManyGoodMeasurementsConverge) {
-  for (const FilterRule rule : {FilterRule::kl, FilterRule::js}) {
+  for (const FilterRule rule : kRules) {
     Belief q{0.5, 1.0 / 36, 10, 10};
     for (int i = 0; i < 500; ++i)
       q = updateBelief(rule, q, {0.62 + (i % 2 ? 0.001 : -0.001), 1e-5, 1}, {});

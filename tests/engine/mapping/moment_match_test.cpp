@@ -53,7 +53,7 @@ Moments integrate(const Belief& q, const Measurement& m) {
 
 void expectMoments(const Belief& q, const Measurement& m) {
   const Moments exact = integrate(q, m);
-  const Belief next = updateKl(q, m);
+  const Belief next = updateBelief(FilterRule::kl, q, m);
   const double scale = std::sqrt(q.sigma2);
   EXPECT_NEAR(next.mu, exact.mean, 1e-4 * scale);
   EXPECT_NEAR(next.sigma2, exact.variance, 1e-3 * exact.variance);
@@ -110,12 +110,12 @@ TEST(MomentMatch, AgreesWithThePrintedFormula) {
 }
 
 TEST(MomentMatch, VectorsOfTheReferenceImplementation) {
-  const Belief near = updateKl({0.5, 0.01, 10, 10}, {0.55, 0.0025, 1});
+  const Belief near = updateBelief(FilterRule::kl, {0.5, 0.01, 10, 10}, {0.55, 0.0025, 1});
   EXPECT_NEAR(near.mu, 0.530540793517, 1e-11);
   EXPECT_NEAR(near.sigma2, 0.00418073296854, 1e-11);
   EXPECT_NEAR(near.a, 10.3883802697, 1e-8);
   EXPECT_NEAR(near.b, 9.87970943967, 1e-8);
-  const Belief far = updateKl({0.5, 0.01, 10, 10}, {0.9, 0.0025, 1});
+  const Belief far = updateBelief(FilterRule::kl, {0.5, 0.01, 10, 10}, {0.9, 0.0025, 1});
   EXPECT_NEAR(far.mu, 0.501886049515, 1e-11);
   EXPECT_NEAR(far.sigma2, 0.010552827424, 1e-11);
   EXPECT_NEAR(far.a, 9.99418238876, 1e-8);
@@ -124,17 +124,17 @@ TEST(MomentMatch, VectorsOfTheReferenceImplementation) {
 
 TEST(MomentMatch, AMeasurementFarAwayCountsAsAnOutlier) {
   const Belief q{0.5, 0.0001, 10, 10};
-  const Belief next = updateKl(q, {3.0, 0.0001, 1});
+  const Belief next = updateBelief(FilterRule::kl, q, {3.0, 0.0001, 1});
   EXPECT_NEAR(next.mu, q.mu, 1e-9);
   EXPECT_NEAR(next.sigma2, q.sigma2, 1e-9);
   EXPECT_NEAR(next.inlierRatio(), 10.0 / 21, 1e-9);  // exactly one outlier seen
 }
 
 TEST(MomentMatch, ASureBeliefAndASureMeasurementAreLimits) {
-  const Belief sure = updateKl({0.5, 1e-16, 10, 10}, {0.51, 0.01, 1});
+  const Belief sure = updateBelief(FilterRule::kl, {0.5, 1e-16, 10, 10}, {0.51, 0.01, 1});
   EXPECT_NEAR(sure.mu, 0.5, 1e-12);
   EXPECT_GT(sure.sigma2, 0);
-  const Belief taught = updateKl({0.5, 0.01, 10, 10}, {0.52, 1e-14, 1});
+  const Belief taught = updateBelief(FilterRule::kl, {0.5, 0.01, 10, 10}, {0.52, 1e-14, 1});
   EXPECT_NEAR(taught.mu, 0.52, 0.01);
   EXPECT_GT(taught.sigma2, 0);
   EXPECT_LT(taught.sigma2, 0.01);
@@ -143,7 +143,7 @@ TEST(MomentMatch, ASureBeliefAndASureMeasurementAreLimits) {
 
 TEST(MomentMatch, AVagueMeasurementTeachesNothing) {
   const Belief q{0.5, 0.01, 10, 10};
-  const Belief next = updateKl(q, {0.5, 1e12, 1});
+  const Belief next = updateBelief(FilterRule::kl, q, {0.5, 1e12, 1});
   EXPECT_NEAR(next.mu, q.mu, 1e-9);
   EXPECT_NEAR(next.sigma2, q.sigma2, 1e-6);
 }
@@ -160,7 +160,7 @@ TEST(MomentMatch, UnusableInputLeavesTheBelief) {
                                {0.5, -1, 1},
                                {0.5, 0.01, 0},
                                {0.5, 0.01, nan}}) {
-    const Belief next = updateKl(q, m);
+    const Belief next = updateBelief(FilterRule::kl, q, m);
     EXPECT_EQ(next.mu, q.mu);
     EXPECT_EQ(next.sigma2, q.sigma2);
     EXPECT_EQ(next.a, q.a);
@@ -173,7 +173,7 @@ TEST(MomentMatch, ManyUpdatesStayFiniteAndNormal) {
   std::normal_distribution<double> noise(0, 0.02);
   Belief q{0.5, 0.03, 10, 10};
   for (int i = 0; i < 20000; ++i) {
-    q = updateKl(q, {0.7 + noise(rng), 0.0004, 1});
+    q = updateBelief(FilterRule::kl, q, {0.7 + noise(rng), 0.0004, 1});
     ASSERT_TRUE(std::isfinite(q.mu) && q.sigma2 > 0 && q.a > 0 && q.b > 0) << i;
   }
   EXPECT_NEAR(q.mu, 0.7, 0.002);
@@ -184,7 +184,8 @@ TEST(MomentMatch, ManyUpdatesStayFiniteAndNormal) {
 TEST(MomentMatch, LargeBetaParametersMoveByOneCount) {
   for (const double large : {1e3, 1e5, 1e6}) {
     const Belief q{0.5, 1e-4, large, large};
-    const Belief in = updateKl(q, {0.5, 1e-6, 1e3}), out = updateKl(q, {5, 1e-6, 1});
+    const Belief in = updateBelief(FilterRule::kl, q, {0.5, 1e-6, 1e3}),
+                 out = updateBelief(FilterRule::kl, q, {5, 1e-6, 1});
     EXPECT_NEAR(in.a + in.b, 2 * large + 1, 0.01 * large);
     EXPECT_GT(in.inlierRatio(), 0.5);
     EXPECT_LT(out.inlierRatio(), 0.5);
@@ -194,7 +195,7 @@ TEST(MomentMatch, LargeBetaParametersMoveByOneCount) {
 TEST(MomentMatch, SigmaNeverGrowsOnAgreement) {
   for (const double tau2 : {1e-8, 1e-4, 1e-2, 1.0}) {
     const Belief q{0.5, 0.01, 10, 10};
-    EXPECT_LT(updateKl(q, {0.5, tau2, 1}).sigma2, q.sigma2) << tau2;
+    EXPECT_LT(updateBelief(FilterRule::kl, q, {0.5, tau2, 1}).sigma2, q.sigma2) << tau2;
   }
 }
 

@@ -47,8 +47,8 @@ TEST(SeedHistory, BothRulesSeeTheSameMeasurements) {
     Belief kl = seed.belief, js = seed.belief;
     for (const double x : {0.5, 0.52, 0.9, 0.51}) {
       applyMeasurement(seed, measured(x, 0.02), p);
-      kl = updateKl(kl, {x, 0.02 * 0.02, seed.range});
-      js = updateJs(js, {x, 0.02 * 0.02, seed.range});
+      kl = updateBelief(FilterRule::kl, kl, {x, 0.02 * 0.02, seed.range});
+      js = updateBelief(FilterRule::js, js, {x, 0.02 * 0.02, seed.range});
     }
     applyMeasurement(seed, measured(0, 0, SearchOutcome::no_match), p);
     EXPECT_DOUBLE_EQ(beliefView(seed, FilterRule::kl, rule).mu, static_cast<float>(kl.mu));
@@ -83,9 +83,9 @@ TEST(SeedHistory, UpdatesAreDescribed) {
   EXPECT_EQ(v.frame_index, 12);
   EXPECT_EQ(v.px, Vec2f(310, 205));
   EXPECT_FLOAT_EQ(v.score, 40);
-  EXPECT_FLOAT_EQ(v.kl_before.mu, static_cast<float>(before.belief.mu));
-  EXPECT_FLOAT_EQ(v.kl_after.mu, static_cast<float>(after.belief.mu));
-  EXPECT_FLOAT_EQ(v.js_after.mu, static_cast<float>(after.shadow.mu));
+  EXPECT_FLOAT_EQ(v.before[FilterRule::kl].mu, static_cast<float>(before.belief.mu));
+  EXPECT_FLOAT_EQ(v.after[FilterRule::kl].mu, static_cast<float>(after.belief.mu));
+  EXPECT_FLOAT_EQ(v.after[FilterRule::js].mu, static_cast<float>(after.shadow[FilterRule::js].mu));
   EXPECT_FLOAT_EQ(
       v.kl_belief_measurement,
       static_cast<float>(klGaussian(before.belief.mu, before.belief.sigma2, 0.6, 0.03 * 0.03)));

@@ -73,8 +73,9 @@ TEST_F(SearchDetailTest, SnapshotsHoldEveryUpdateOfBothRules) {
           u.outcome == SearchOutcome::matched || u.outcome == SearchOutcome::tracked;
       successful += measured;
       for (const float v :
-           {u.score, u.x, u.tau, u.kl_before.mu, u.kl_after.sigma, u.js_before.mu, u.js_after.sigma,
-            u.jsd, u.affinity, u.kl_belief_measurement, u.kl_measurement_belief})
+           {u.score, u.x, u.tau, u.before[FilterRule::kl].mu, u.after[FilterRule::kl].sigma,
+            u.before[FilterRule::js].mu, u.after[FilterRule::js].sigma, u.jsd, u.affinity,
+            u.kl_belief_measurement, u.kl_measurement_belief})
         ASSERT_TRUE(std::isfinite(v));
       EXPECT_GE(u.jsd, 0);
       EXPECT_LE(u.jsd, static_cast<float>(kLog2) + 1e-6f);
@@ -85,8 +86,10 @@ TEST_F(SearchDetailTest, SnapshotsHoldEveryUpdateOfBothRules) {
       const auto before = last.find(u.seed_id);
       if (before != last.end()) {
         const bool same_scale = before->second.second > last_keyframe;
-        expectSameBelief(before->second.first.kl_after, u.kl_before, same_scale);
-        expectSameBelief(before->second.first.js_after, u.js_before, same_scale);
+        expectSameBelief(before->second.first.after[FilterRule::kl], u.before[FilterRule::kl],
+                         same_scale);
+        expectSameBelief(before->second.first.after[FilterRule::js], u.before[FilterRule::js],
+                         same_scale);
       }
       last[u.seed_id] = {u, i};
     }
@@ -97,12 +100,12 @@ TEST_F(SearchDetailTest, SnapshotsHoldEveryUpdateOfBothRules) {
   EXPECT_GT(updates, 1000);
   for (const SeedView& seed : *runner_->latest()->seeds) {
     if (seed.type == FeatureType::segment) continue;  // segment seeds carry the rule in use only
-    EXPECT_EQ(seed.mu, seed.js.mu);
-    EXPECT_EQ(seed.sigma, seed.js.sigma);
-    EXPECT_GT(seed.kl.sigma, 0);
+    EXPECT_EQ(seed.mu, seed.belief[FilterRule::js].mu);
+    EXPECT_EQ(seed.sigma, seed.belief[FilterRule::js].sigma);
+    EXPECT_GT(seed.belief[FilterRule::kl].sigma, 0);
     const auto update = last.find(seed.id);
     if (update != last.end())
-      expectSameBelief(update->second.first.kl_after, seed.kl,
+      expectSameBelief(update->second.first.after[FilterRule::kl], seed.belief[FilterRule::kl],
                        update->second.second > last_keyframe);
   }
 }

@@ -17,13 +17,13 @@ TEST(Truth, FindsTheScale) {
   FakeRunner runner;
   runner.runTo(130);
   const auto records = runner.records(0);
-  const TruthState sim3 = alignTruth(records, runner.info().ground_truth, AlignMode::sim3);
+  const TruthState sim3 = alignTruth(records, runner.info().ground_truth, Alignment::sim3);
   ASSERT_TRUE(sim3.valid);
   EXPECT_NEAR(sim3.scale, 1.7, 0.05);
   EXPECT_LT(sim3.ate_rmse, 0.1);
   EXPECT_EQ(sim3.error.size(), records.size());
   EXPECT_TRUE(std::isnan(sim3.error[0])) << "no pose before the start";
-  const TruthState se3 = alignTruth(records, runner.info().ground_truth, AlignMode::se3);
+  const TruthState se3 = alignTruth(records, runner.info().ground_truth, Alignment::se3);
   EXPECT_EQ(se3.scale, 1);
   EXPECT_GT(se3.ate_rmse, sim3.ate_rmse);
 }
@@ -32,7 +32,7 @@ TEST(Truth, BringsGroundTruthIntoTheMap) {
   FakeRunner runner;
   runner.runTo(100);
   const auto records = runner.records(0);
-  const TruthState s = alignTruth(records, runner.info().ground_truth, AlignMode::sim3);
+  const TruthState s = alignTruth(records, runner.info().ground_truth, Alignment::sim3);
   ASSERT_EQ(s.path.size(), 100u);
   EXPECT_LT((s.path[60].cast<double>() - records[60].T_world_cam.translation()).norm(), 0.1);
 }
@@ -40,8 +40,8 @@ TEST(Truth, BringsGroundTruthIntoTheMap) {
 TEST(Truth, WithoutGroundTruthThereIsNothing) {
   FakeRunner runner;
   runner.runTo(30);
-  EXPECT_FALSE(alignTruth(runner.records(0), {}, AlignMode::sim3).valid);
-  EXPECT_FALSE(alignTruth({}, runner.info().ground_truth, AlignMode::sim3).valid);
+  EXPECT_FALSE(alignTruth(runner.records(0), {}, Alignment::sim3).valid);
+  EXPECT_FALSE(alignTruth({}, runner.info().ground_truth, Alignment::sim3).valid);
 }
 
 TEST(Truth, WithoutAPoseItSaysSo) {
@@ -50,7 +50,7 @@ TEST(Truth, WithoutAPoseItSaysSo) {
   options.lost_to = 0;
   FakeRunner runner(options);
   runner.runTo(30);
-  const TruthState s = alignTruth(runner.records(0), runner.info().ground_truth, AlignMode::sim3);
+  const TruthState s = alignTruth(runner.records(0), runner.info().ground_truth, Alignment::sim3);
   EXPECT_FALSE(s.valid);
   EXPECT_EQ(s.problem, "no frame has a pose yet") << "the timestamps are not to blame";
 }

@@ -131,8 +131,9 @@ SeedView seedOf(std::int64_t id, FeatureType type, int updates) {
   s.type = type;
   s.updates = updates;
   s.visible = true;
-  s.mu = s.kl.mu = s.js.mu = 0.5f;
-  s.sigma = s.kl.sigma = s.js.sigma = 0.1f;
+  s.mu = 0.5f;
+  s.sigma = 0.1f;
+  s.belief.fill({s.mu, s.sigma});
   return s;
 }
 
@@ -155,7 +156,7 @@ class SegmentSeeds : public PanelText {
     update.outcome = SearchOutcome::matched;
     update.x = 0.5f;
     update.tau = 0.1f;
-    update.kl_before = update.kl_after = update.js_before = update.js_after = seeds[2].kl;
+    update.before = update.after = seeds[2].belief;
     snapshot->seed_updates = std::make_shared<const std::vector<SeedUpdateView>>(1, update);
     runner.last_ = snapshot;
     finish(runner);

@@ -45,12 +45,6 @@ void takeRows(ComparedRun& out, const RunCache& rows) {
   }
 }
 
-Alignment alignmentOf(AlignMode mode) {
-  return mode == AlignMode::none  ? Alignment::none
-         : mode == AlignMode::se3 ? Alignment::se3
-                                  : Alignment::sim3;
-}
-
 /// Moves the positions of a run by `move`.
 template <typename Move>
 void fillPath(ComparedRun& out, const RunCache& rows, const Move& move) {
@@ -74,7 +68,7 @@ int rowOf(const std::vector<float>& frames, int frame) {
 }
 
 void CompareData::update(const Runs& runs, const std::vector<CompareSource>& sources,
-                         AlignMode mode, bool settled) {
+                         Alignment mode, bool settled) {
   Key key{runs.frame(), 0, runs.current(), mode};
   for (const CompareSource& s : sources) key.generations += s.rows->generation();
   const bool same = key.sameButFrame(key_) && runs_.size() == sources.size();
@@ -139,7 +133,7 @@ void CompareData::toTruth(const std::vector<CompareSource>& sources, const Traje
 
 /// Without ground truth: every run onto the current one, by the frames that both have.
 void CompareData::toCurrent(const std::vector<CompareSource>& sources, int current,
-                            AlignMode mode) {
+                            Alignment mode) {
   const RunCache& onto = *sources[static_cast<std::size_t>(current)].rows;
   const int onto_map = mainMap(onto.records());
   fillPath(runs_[static_cast<std::size_t>(current)], onto, [](const Vec3& p) { return p; });
@@ -153,7 +147,7 @@ void CompareData::toCurrent(const std::vector<CompareSource>& sources, int curre
       from.push_back(r.T_world_cam.translation());
       to.push_back(other->T_world_cam.translation());
     }
-    const auto T = alignPoints(from, to, alignmentOf(mode));
+    const auto T = alignPoints(from, to, mode);
     if (T.ok())
       fillPath(runs_[i], *sources[i].rows, [&](const Vec3& p) { return T.value() * p; });
     else if (runs_[i].metrics.tracked > 0)

@@ -37,7 +37,7 @@ struct CompareSource {
 class CompareData {
  public:
   /// Recomputes if anything changed; while frames keep coming (not `settled`), every tenth.
-  void update(const Runs& runs, const std::vector<CompareSource>& sources, AlignMode mode,
+  void update(const Runs& runs, const std::vector<CompareSource>& sources, Alignment mode,
               bool settled);
 
   const std::vector<ComparedRun>& runs() const { return runs_; }
@@ -50,13 +50,13 @@ class CompareData {
  private:
   struct Key {
     int frame = -2, generations = 0, current = -1;
-    AlignMode mode = AlignMode::sim3;
+    Alignment mode = Alignment::sim3;
     bool sameButFrame(const Key& o) const {
       return generations == o.generations && current == o.current && mode == o.mode;
     }
   };
   void toTruth(const std::vector<CompareSource>& sources, const Trajectory& truth, int current);
-  void toCurrent(const std::vector<CompareSource>& sources, int current, AlignMode mode);
+  void toCurrent(const std::vector<CompareSource>& sources, int current, Alignment mode);
   void differences(int current);
 
   std::vector<ComparedRun> runs_;

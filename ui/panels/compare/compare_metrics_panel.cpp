@@ -92,7 +92,7 @@ bool updateComparison(PanelContext& c) {
   if (c.runs.size() < 2) return false;
   std::vector<CompareSource> sources;
   for (const auto& caches : c.all_caches) sources.push_back({&caches->run, &caches->truth});
-  c.compare.update(c.runs, sources, static_cast<AlignMode>(c.state.align_mode), !c.status.playing);
+  c.compare.update(c.runs, sources, static_cast<Alignment>(c.state.align_mode), !c.status.playing);
   return c.engineFrame() >= 0;
 }
 

@@ -85,7 +85,7 @@ void labels(PanelContext& c, const CompareData& data, const CompareScene& scene,
   const RunStyle& current = c.runs.style(c.runs.current());
   const std::string onto = data.metric()
                                ? format("aligned to ground truth, %s",
-                                        alignModeName(static_cast<AlignMode>(c.state.align_mode)))
+                                        alignmentLabel(static_cast<Alignment>(c.state.align_mode)))
                                : "aligned to " + current.label;
   text = text.empty() ? onto : onto + ", " + text;
   outlinedText(ImGui::GetWindowDrawList(),

@@ -8,6 +8,7 @@
 #include "ui/palette.h"
 #include "ui/panels/panel_context.h"
 #include "ui/widgets/chart.h"
+#include "ui/widgets/rule_style.h"
 
 namespace svoscope::ui {
 
@@ -28,7 +29,7 @@ void DivergenceView::update(PanelContext& c) {
     for (const UpdatePoint& p : points) shown.add(p);
   }
   calibration = calibrate(points, truth.valid ? truth.scale : 0);
-  for (int r = 0; r < 2; ++r) {
+  for (const FilterRule r : kRules) {
     median[r] = stats.convergence(r, 0.5);
     low[r] = stats.convergence(r, 0.25);
     high[r] = stats.convergence(r, 0.75);
@@ -42,15 +43,8 @@ void DivergenceView::update(PanelContext& c) {
 
 namespace {
 
-constexpr Rule kRules[] = {Rule::kl, Rule::js};
 constexpr double kLogTwo = 0.6931471805599453;
 constexpr double kLeast = 1e-3, kMost = 1e4;  // nats, of the KL axis
-
-const std::vector<ChartLegend>& ruleLegend() {
-  static const std::vector<ChartLegend> legend{{"KL", ruleColor(Rule::kl), Swatch::dashed},
-                                               {"JS", ruleColor(Rule::js), Swatch::line}};
-  return legend;
-}
 
 // Bins as steps, in percent of all.
 void histogram(Chart& chart, const Bins& bins, const LineStyle& style) {
@@ -70,7 +64,7 @@ void histogram(Chart& chart, const Bins& bins, const LineStyle& style) {
   chart.markX(bins.quantile(0.5), {withAlpha(style.color, 0.9f), 1, true});
 }
 
-double tallest(std::initializer_list<const Bins*> all) {
+double tallest(const std::vector<const Bins*>& all) {
   double top = 1;
   for (const Bins* b : all) {
     for (const int n : b->counts()) top = std::max(top, b->total() ? 100.0 * n / b->total() : 0);
@@ -146,21 +140,20 @@ void scatter(PanelContext& c, const DivergenceView& v, ImVec2 size) {
 void klHistogram(const DivergenceView& v, ImVec2 size) {
   ChartSpec spec = binsSpec("KL histogram", "Kullback-Leibler", "nats (log); thin lines: medians",
                             v.shown.kl, size);
-  spec.legend = {{"KL(p||q)", ruleColor(Rule::kl), Swatch::dashed},
-                 {"KL(q||p)", okabe::purple, Swatch::line}};
+  spec.legend = {ruleEntry(FilterRule::kl, "KL(p||q)"), {"KL(q||p)", okabe::purple, Swatch::line}};
   spec.y = {0, tallest({&v.shown.kl, &v.shown.kl_reverse})};
   Chart chart(spec);
   histogram(chart, v.shown.kl_reverse, {okabe::purple, 1.6f, false});
-  histogram(chart, v.shown.kl, {ruleColor(Rule::kl), 1.6f, true});
+  histogram(chart, v.shown.kl, ruleLine(FilterRule::kl, 1.6f));
 }
 
 void jsHistogram(const DivergenceView& v, ImVec2 size) {
   ChartSpec spec =
       binsSpec("JS histogram", "Jensen-Shannon", "nats, 0 to log 2", v.shown.jsd, size);
-  spec.legend = {{"JS", ruleColor(Rule::js), Swatch::line}};
+  spec.legend = {ruleEntry(FilterRule::js)};
   spec.y = {0, tallest({&v.shown.jsd})};
   Chart chart(spec);
-  histogram(chart, v.shown.jsd, {ruleColor(Rule::js), 1.6f, false});
+  histogram(chart, v.shown.jsd, ruleLine(FilterRule::js, 1.6f));
 }
 
 void affinityHistogram(const DivergenceView& v, ImVec2 size) {
@@ -168,29 +161,31 @@ void affinityHistogram(const DivergenceView& v, ImVec2 size) {
       binsSpec("Affinity histogram", "Affinity w", "0: disjoint, 1: agree", v.shown.affinity, size);
   spec.y = {0, tallest({&v.shown.affinity})};
   Chart chart(spec);
-  histogram(chart, v.shown.affinity, {ruleColor(Rule::js), 1.6f, false});
+  histogram(chart, v.shown.affinity, ruleLine(FilterRule::js, 1.6f));
 }
 
 void sigmaRatio(const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec = binsSpec("Sigma ratio", "σ of JS / σ of KL", "ratio (log); below 1: JS is surer",
-                            v.shown.sigma_ratio, size);
+  const char *first = ruleName(kRules[0]), *second = ruleName(kRules[1]);
+  const std::string title = format("σ of %s / σ of %s", second, first);
+  const std::string unit = format("ratio (log); below 1: %s is surer", second);
+  ChartSpec spec = binsSpec("Sigma ratio", title.c_str(), unit.c_str(), v.shown.sigma_ratio, size);
   spec.y = {0, tallest({&v.shown.sigma_ratio})};
-  if (v.shown.sigma_ratio.total() == 0) spec.title = "σ of JS / σ of KL: one rule is switched off";
+  if (v.shown.sigma_ratio.total() == 0) spec.title = title + ": one rule is switched off";
   Chart chart(spec);
   chart.markX(1, {ink::dim, 1, false}, "equal");
   histogram(chart, v.shown.sigma_ratio, {okabe::green, 1.6f, false});
 }
 
 void inlierRatios(PanelContext& c, const DivergenceView& v, ImVec2 size) {
-  ChartSpec spec =
-      binsSpec("Inlier ratios", "Inlier ratio after", "a / (a + b)", v.shown.ratio[0], size);
+  ChartSpec spec = binsSpec("Inlier ratios", "Inlier ratio after", "a / (a + b)",
+                            v.shown.ratio[kRules[0]], size);
   spec.legend = ruleLegend();
-  spec.y = {0,
-            1.25 * tallest({&v.shown.ratio[0], &v.shown.ratio[1]})};  // the label is above the bars
+  std::vector<const Bins*> all;
+  for (const Bins& bins : v.shown.ratio) all.push_back(&bins);
+  spec.y = {0, 1.25 * tallest(all)};  // the label is above the bars
   Chart chart(spec);
-  for (const Rule rule : kRules) {
-    histogram(chart, v.shown.ratio[static_cast<int>(rule)],
-              {ruleColor(rule), 1.6f, rule == Rule::kl});
+  for (const FilterRule rule : kRules) {
+    histogram(chart, v.shown.ratio[rule], ruleLine(rule, 1.6f));
   }
   chart.markX(filterGates(c).min_ratio, {ink::threshold, 1, true}, "gate");
 }
@@ -207,7 +202,7 @@ void convergence(PanelContext& c, const DivergenceView& v, ImVec2 size) {
   spec.size = size;
   Range r{gate, gate};
   std::size_t most = 5;
-  for (int i = 0; i < 2; ++i) {
+  for (const FilterRule i : kRules) {
     for (const auto* values : {&v.low[i], &v.high[i]}) {
       const Range f = finiteRange(values->data(), static_cast<int>(values->size()), true);
       if (f.lo <= f.hi) r = {std::min(r.lo, f.lo), std::max(r.hi, f.hi)};
@@ -218,17 +213,16 @@ void convergence(PanelContext& c, const DivergenceView& v, ImVec2 size) {
   spec.y = padded(r, 0.1, true);
   Chart chart(spec);
   chart.markY(gate, {ink::threshold, 1, true}, "converged below");
-  for (const Rule rule : kRules) {
-    const int i = static_cast<int>(rule);
-    chart.band(v.steps[i], v.low[i], v.high[i], withAlpha(ruleColor(rule), 0.14f));
-    chart.line(v.steps[i], v.median[i], {ruleColor(rule), 1.8f, rule == Rule::kl});
+  for (const FilterRule rule : kRules) {
+    chart.band(v.steps[rule], v.low[rule], v.high[rule], withAlpha(ruleColor(rule), 0.14f));
+    chart.line(v.steps[rule], v.median[rule], ruleLine(rule));
   }
   if (!chart.hovered()) return;
   const int n = static_cast<int>(std::lround(chart.mouseX()));
   ImGui::BeginTooltip();
   ImGui::Text("After %d measurements, %d seeds", n, c.cache<FilterStats>().seedsWith(n));
-  for (const Rule rule : kRules) {
-    const auto& m = v.median[static_cast<int>(rule)];
+  for (const FilterRule rule : kRules) {
+    const auto& m = v.median[rule];
     if (n >= 1 && n <= static_cast<int>(m.size()))
       ImGui::Text("%s  median σ / R %.4f", ruleName(rule), m[static_cast<std::size_t>(n) - 1]);
   }
@@ -244,16 +238,13 @@ void coverage(const DivergenceView& v, ImVec2 size) {
   spec.y_label = "Share of true values within k σ";
   spec.x = spec.y = {0, 1};
   spec.size = size;
-  for (const Rule rule : kRules) {
+  for (const FilterRule rule : kRules) {
     spec.legend.push_back(
-        {format("%s, median NEES %.2f", ruleName(rule), k.median_nees[static_cast<int>(rule)]),
-         ruleColor(rule), rule == Rule::kl ? Swatch::dashed : Swatch::line});
+        ruleEntry(rule, format("%s, median NEES %.2f", ruleName(rule), k.median_nees[rule])));
   }
   Chart chart(spec);
   chart.line({0, 1}, {0, 1}, {ink::dim, 1, true});
-  for (const Rule rule : kRules)
-    chart.line(k.expected, k.share[static_cast<int>(rule)],
-               {ruleColor(rule), 1.8f, rule == Rule::kl});
+  for (const FilterRule rule : kRules) chart.line(k.expected, k.share[rule], ruleLine(rule));
   if (!chart.hovered()) return;
   ImGui::BeginTooltip();
   ImGui::TextUnformatted("On the diagonal σ tells the truth, below it the rule is too sure");
@@ -272,21 +263,20 @@ void errors(const DivergenceView& v, ImVec2 size) {
   spec.log_x = true;
   spec.y = {0, 1};
   spec.size = size;
-  for (const Rule rule : kRules) {
+  for (const FilterRule rule : kRules) {
     spec.legend.push_back(
-        {format("%s, median %.2f %%", ruleName(rule), 100 * k.median_error[static_cast<int>(rule)]),
-         ruleColor(rule), rule == Rule::kl ? Swatch::dashed : Swatch::line});
+        ruleEntry(rule, format("%s, median %.2f %%", ruleName(rule), 100 * k.median_error[rule])));
   }
   Chart chart(spec);
-  for (const Rule rule : kRules) {
-    const auto& sorted = k.error[static_cast<int>(rule)];
+  for (const FilterRule rule : kRules) {
+    const auto& sorted = k.error[rule];
     std::vector<float> x, y;
     const std::size_t step = std::max<std::size_t>(1, sorted.size() / 300);
     for (std::size_t i = 0; i < sorted.size(); i += step) {
       x.push_back(std::max(sorted[i], 1e-5f));
       y.push_back(static_cast<float>(i + 1) / static_cast<float>(sorted.size()));
     }
-    chart.line(x, y, {ruleColor(rule), 1.8f, rule == Rule::kl});
+    chart.line(x, y, ruleLine(rule));
   }
 }
 

@@ -23,7 +23,7 @@ struct DivergenceView {
   std::vector<UpdatePoint> points;
   FilterDistributions shown;
   Calibration calibration;
-  std::vector<float> steps[2], median[2], low[2], high[2];  ///< convergence, by rule
+  ByRule<std::vector<float>> steps, median, low, high;  ///< convergence
 
   void update(PanelContext& c);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "ui/model/seed_trace.h"
 #include "ui/panels/seed/densities.h"
@@ -48,28 +49,36 @@ double Bins::quantile(double q) const {
   return hi_;
 }
 
+namespace {
+template <std::size_t... I>
+ByRule<Bins> sameForAll(const Bins& bins, std::index_sequence<I...>) {
+  return {{((void)I, bins)...}};
+}
+}  // namespace
+
 FilterDistributions::FilterDistributions()
     : kl(1e-3, 1e4, 56, true),
       kl_reverse(1e-3, 1e4, 56, true),
       jsd(0, 0.6931472, 40, false),
       affinity(0, 1, 40, false),
       sigma_ratio(0.25, 4, 64, true),
-      ratio{Bins(0, 1, 50, false), Bins(0, 1, 50, false)} {}
+      ratio(sameForAll(Bins(0, 1, 50, false), std::make_index_sequence<kRuleCount>())) {}
 
 void FilterDistributions::add(const UpdatePoint& p) {
   kl.add(p.kl);
   kl_reverse.add(p.kl_reverse);
   jsd.add(p.jsd);
   affinity.add(p.affinity);
-  if (p.sigma[0] > 0 && p.sigma[1] > 0) sigma_ratio.add(p.sigma[1] / p.sigma[0]);
-  for (int r = 0; r < 2; ++r) {
-    if (p.sigma[r] > 0) ratio[r].add(p.ratio[r]);
+  const float first = p.sigma[kRules[0]], second = p.sigma[kRules[1]];
+  if (first > 0 && second > 0) sigma_ratio.add(second / first);
+  for (const FilterRule rule : kRules) {
+    if (p.sigma[rule] > 0) ratio[rule].add(p.ratio[rule]);
   }
 }
 
 void FilterDistributions::clear() {
-  for (Bins* b : {&kl, &kl_reverse, &jsd, &affinity, &sigma_ratio, &ratio[0], &ratio[1]})
-    b->clear();
+  for (Bins* b : {&kl, &kl_reverse, &jsd, &affinity, &sigma_ratio}) b->clear();
+  for (Bins& b : ratio) b.clear();
 }
 
 namespace {
@@ -82,11 +91,11 @@ UpdatePoint pointOf(const SeedUpdateView& u, const SeedView* seed, int frame) {
   p.kl_reverse = u.kl_measurement_belief;
   p.jsd = u.jsd;
   p.affinity = u.affinity;
-  const BeliefView* after[2] = {&u.kl_after, &u.js_after};
-  for (int r = 0; r < 2; ++r) {
-    p.mu[r] = after[r]->mu;
-    p.sigma[r] = drawable(*after[r]) ? after[r]->sigma : 0;
-    p.ratio[r] = static_cast<float>(inlierRatio(*after[r]));
+  for (const FilterRule rule : kRules) {
+    const BeliefView& after = u.after[rule];
+    p.mu[rule] = after.mu;
+    p.sigma[rule] = drawable(after) ? after.sigma : 0;
+    p.ratio[rule] = static_cast<float>(inlierRatio(after));
   }
   if (seed) p.true_inv_distance = seed->true_inv_distance;
   return p;
@@ -156,17 +165,18 @@ void FilterStats::read(const Snapshot& s) {
     ++measurements_;
     // Several measurements of a seed in one snapshot count at its newest number of updates.
     if (!seed || seed->updates < 1 || seed->updates > kMostUpdates || !(seed->range > 0)) return;
-    for (std::size_t r = 0; r < 2; ++r) {
-      if (p.sigma[r] > 0)
-        by_updates_[r][static_cast<std::size_t>(seed->updates) - 1].add(p.sigma[r] / seed->range);
+    for (const FilterRule rule : kRules) {
+      if (p.sigma[rule] > 0)
+        by_updates_[rule][static_cast<std::size_t>(seed->updates) - 1].add(p.sigma[rule] /
+                                                                           seed->range);
     }
   });
   ++version_;
 }
 
-std::vector<float> FilterStats::convergence(int rule, double q) const {
+std::vector<float> FilterStats::convergence(FilterRule rule, double q) const {
   std::vector<float> values;
-  for (const Bins& b : by_updates_[static_cast<std::size_t>(rule)]) {
+  for (const Bins& b : by_updates_[rule]) {
     values.push_back(b.total() < 5 ? NAN : static_cast<float>(b.quantile(q)));
   }
   while (!values.empty() && std::isnan(values.back())) values.pop_back();
@@ -174,7 +184,7 @@ std::vector<float> FilterStats::convergence(int rule, double q) const {
 }
 
 int FilterStats::seedsWith(int updates) const {
-  const auto& bins = by_updates_[0];
+  const auto& bins = by_updates_[kRules.front()];
   return updates >= 1 && updates <= static_cast<int>(bins.size())
              ? bins[static_cast<std::size_t>(updates) - 1].total()
              : 0;
@@ -192,12 +202,12 @@ std::vector<std::int64_t> brushed(const std::vector<UpdatePoint>& points, double
 Calibration calibrate(const std::vector<UpdatePoint>& points, double scale) {
   Calibration out;
   if (!(scale > 0)) return out;
-  std::vector<float> z[2], nees[2];
+  ByRule<std::vector<float>> z, nees;
   for (const UpdatePoint& p : points) {
     if (!(p.true_inv_distance > 0)) continue;
     const double truth = p.true_inv_distance * scale;
     ++out.count;
-    for (int r = 0; r < 2; ++r) {
+    for (const FilterRule r : kRules) {
       if (!(p.sigma[r] > 0) || !(p.mu[r] > 0)) continue;
       const auto sigmas = static_cast<float>(std::abs(p.mu[r] - truth) / p.sigma[r]);
       z[r].push_back(sigmas);
@@ -205,7 +215,7 @@ Calibration calibrate(const std::vector<UpdatePoint>& points, double scale) {
       out.error[r].push_back(static_cast<float>(std::abs(truth / p.mu[r] - 1)));
     }
   }
-  for (int r = 0; r < 2; ++r) {
+  for (const FilterRule r : kRules) {
     std::sort(z[r].begin(), z[r].end());
     std::sort(out.error[r].begin(), out.error[r].end());
     out.median_nees[r] = quantileOf(nees[r], 0.5);
@@ -214,7 +224,7 @@ Calibration calibrate(const std::vector<UpdatePoint>& points, double scale) {
   for (int i = 0; i <= 60; ++i) {
     const double k = 4.0 * i / 60;
     out.expected.push_back(static_cast<float>(std::erf(k / 1.4142135623730951)));
-    for (int r = 0; r < 2; ++r) {
+    for (const FilterRule r : kRules) {
       const auto below =
           std::upper_bound(z[r].begin(), z[r].end(), static_cast<float>(k)) - z[r].begin();
       out.share[r].push_back(
@@ -225,15 +235,16 @@ Calibration calibrate(const std::vector<UpdatePoint>& points, double scale) {
 }
 
 std::string statsCsv(const std::vector<UpdatePoint>& points) {
-  std::string text =
-      "seed,frame,kl_belief_measurement,kl_measurement_belief,jsd,affinity,kl_mu,kl_sigma,kl_"
-      "inlier_ratio,js_mu,"
-      "js_sigma,js_inlier_ratio,true_inverse_distance_per_m\n";
+  std::string text = "seed,frame,kl_belief_measurement,kl_measurement_belief,jsd,affinity";
+  for (const RuleInfo& rule : kRuleTable)
+    text += format(",%s_mu,%s_sigma,%s_inlier_ratio", rule.id, rule.id, rule.id);
+  text += ",true_inverse_distance_per_m\n";
   for (const UpdatePoint& p : points) {
-    text += format("%lld,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.9g,%.9g,%.6g,%.9g\n",
-                   static_cast<long long>(p.seed_id), p.frame, p.kl, p.kl_reverse, p.jsd,
-                   p.affinity, p.mu[0], p.sigma[0], p.ratio[0], p.mu[1], p.sigma[1], p.ratio[1],
-                   p.true_inv_distance);
+    text += format("%lld,%d,%.9g,%.9g,%.9g,%.9g", static_cast<long long>(p.seed_id), p.frame, p.kl,
+                   p.kl_reverse, p.jsd, p.affinity);
+    for (const FilterRule rule : kRules)
+      text += format(",%.9g,%.9g,%.6g", p.mu[rule], p.sigma[rule], p.ratio[rule]);
+    text += format(",%.9g\n", p.true_inv_distance);
   }
   return text;
 }

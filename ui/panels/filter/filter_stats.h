@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How KL and JS differ over all updates: read snapshot by snapshot, kept in fixed space.
+// How the rules of the depth filter differ over all updates: read snapshot by snapshot, kept in
+// fixed space.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <vector>
@@ -39,15 +39,16 @@ struct UpdatePoint {
   int frame = -1;                ///< of the snapshot
   float kl = 0, kl_reverse = 0;  ///< KL(belief || measurement), KL(measurement || belief), nats
   float jsd = 0, affinity = 0;
-  float mu[2] = {0, 0}, sigma[2] = {0, 0},
-        ratio[2] = {0, 0};      ///< after, by rule; sigma 0: not computed
-  float true_inv_distance = 0;  ///< metres; 0 if unknown
+  ByRule<float> mu, sigma, ratio;  ///< after; sigma 0: not computed
+  float true_inv_distance = 0;     ///< metres; 0 if unknown
 };
 
 /// Distributions of one scope: the run so far, or one frame.
 struct FilterDistributions {
   FilterDistributions();
-  Bins kl, kl_reverse, jsd, affinity, sigma_ratio, ratio[2];
+  Bins kl, kl_reverse, jsd, affinity;
+  Bins sigma_ratio;  ///< of the second rule of the table over the first
+  ByRule<Bins> ratio;
   void add(const UpdatePoint& point);
   void clear();
 };
@@ -70,7 +71,7 @@ class FilterStats {
 
   /// Quantile of sigma / R by number of measurements (from 1), of all seeds read; NaN below 5
   /// seeds.
-  std::vector<float> convergence(int rule, double q) const;
+  std::vector<float> convergence(FilterRule rule, double q) const;
   int seedsWith(int updates) const;
 
  private:
@@ -80,7 +81,7 @@ class FilterStats {
   std::uint64_t version_ = 0;
   FilterDistributions run_;
   std::deque<UpdatePoint> points_;
-  std::array<std::vector<Bins>, 2> by_updates_;
+  ByRule<std::vector<Bins>> by_updates_;
 };
 
 /// The measurements of one snapshot.
@@ -93,11 +94,11 @@ std::vector<std::int64_t> brushed(const std::vector<UpdatePoint>& points, double
 /// Errors against the truth, by rule. `scale`: metres per map unit.
 struct Calibration {
   int count = 0;
-  std::vector<float> share[2];  ///< of errors within ...
+  ByRule<std::vector<float>> share;  ///< of errors within ...
   std::vector<float>
       expected;  ///< ... as many standard deviations as cover this share of a Gaussian
-  std::vector<float> error[2];  ///< sorted relative distance errors
-  double median_nees[2] = {0, 0}, median_error[2] = {0, 0};
+  ByRule<std::vector<float>> error;  ///< sorted relative distance errors
+  ByRule<double> median_nees, median_error;
 };
 Calibration calibrate(const std::vector<UpdatePoint>& points, double scale);
 

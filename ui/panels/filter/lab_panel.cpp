@@ -15,6 +15,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/pen.h"
 #include "ui/widgets/probe.h"
+#include "ui/widgets/rule_style.h"
 
 namespace svoscope::ui {
 
@@ -98,19 +99,20 @@ void separation(PanelContext& c, const LabPair& now, ImVec2 size) {
   spec.x = {0, curves.offset.back()};
   spec.y = {0, 3};
   spec.size = size;
-  spec.legend = {{"KL(p||q)", ruleColor(Rule::kl), Swatch::dashed},
+  spec.legend = {ruleEntry(FilterRule::kl, "KL(p||q)"),
                  {"KL(q||p)", okabe::purple, Swatch::dashed},
-                 {"JS", ruleColor(Rule::js), Swatch::line}};
+                 ruleEntry(FilterRule::js)};
   Chart chart(spec);
   chart.markY(kLogTwo, {ink::threshold, 1, true}, "limit of JS, log 2");
-  chart.line(curves.offset, curves.kl_pq, {ruleColor(Rule::kl), 1.8f, true});
+  chart.line(curves.offset, curves.kl_pq, ruleLine(FilterRule::kl));
   chart.line(curves.offset, curves.kl_qp, {okabe::purple, 1.8f, true});
-  chart.line(curves.offset, curves.jsd, {ruleColor(Rule::js), 2.2f, false});
+  chart.line(curves.offset, curves.jsd, ruleLine(FilterRule::js, 2.2f));
   const double at = std::abs(s.offset);
   chart.markX(at, {withAlpha(ink::cursor, 0.8f), 1, false});
-  chart.point(at, now.jsd, PointShape::circle, 4, ruleColor(Rule::js));
+  chart.point(at, now.jsd, PointShape::circle, 4, ruleColor(FilterRule::js));
   chart.point(at, std::min(now.kl_pq, 2.97),
-              now.kl_pq > 3 ? PointShape::triangle : PointShape::diamond, 4, ruleColor(Rule::kl));
+              now.kl_pq > 3 ? PointShape::triangle : PointShape::diamond, 4,
+              ruleColor(FilterRule::kl));
   chart.point(at, std::min(now.kl_qp, 2.82),
               now.kl_qp > 3 ? PointShape::triangle : PointShape::diamond, 4, okabe::purple);
   if (!chart.hovered()) return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/study/rule_variants.h"
 #include "ui/palette.h"
 #include "ui/panels/filter/lab_view.h"
 #include "ui/panels/panel_context.h"
@@ -13,12 +14,10 @@ namespace svoscope::ui {
 
 namespace {
 
-// KL and JS keep their colours; the ablations are told apart by colour and dash.
 LineStyle styleOf(const std::string& rule) {
-  if (rule == "KL") return {ruleColor(Rule::kl), 2, true};
-  if (rule == "JS both") return {ruleColor(Rule::js), 2, false};
-  if (rule == "JS fuse only") return {okabe::purple, 1.5f, true};
-  return {okabe::green, 1.5f, false};
+  const RuleVariant* variant = findRuleVariant(rule);
+  if (!variant) return {};
+  return {lookColor(variant->look), variant->whole ? 2 : 1.5f, variant->look.dash != Dash::solid};
 }
 
 std::vector<ChartLegend> legendOf(const LabResult& result) {

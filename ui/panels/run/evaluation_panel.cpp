@@ -30,7 +30,7 @@ void errorRows(const TruthState& s) {
 
 void alignmentRows(const TruthState& s) {
   heading("Alignment");
-  valueRow("Mode", alignModeName(s.mode));
+  valueRow("Mode", alignmentLabel(s.mode));
   valueRow("Scale", format("%.4f m per map unit", s.scale));
   valueRow("Matched poses", format("%d within 20 ms", s.matched));
 }

@@ -171,7 +171,7 @@ void labels(PanelContext& c, const SceneCamera& camera) {
   if (o.ground_truth && truth.valid) {
     const bool here = truth.map_id == c.snapshot->record.map_id;
     entry(Swatch::dashed, ink::ground_truth,
-          here ? format("Ground truth, %s", alignModeName(truth.mode))
+          here ? format("Ground truth, %s", alignmentLabel(truth.mode))
                : format("Ground truth: with map %d", truth.map_id));
   }
   if (o.points && c.snapshot->points) {

@@ -64,10 +64,12 @@ float seedRamp(const SeedView& s, SeedColorBy by, int most_updates) {
     case SeedColorBy::age:
       return static_cast<float>(s.updates + s.failures) /
              static_cast<float>(std::max(1, most_updates));
-    case SeedColorBy::disagreement:
-      if (!drawable(s.kl) || !drawable(s.js)) return NAN;
-      return static_cast<float>(comparePair(s.kl.mu, s.kl.sigma, s.js.mu, s.js.sigma).jsd /
+    case SeedColorBy::disagreement: {
+      const BeliefView &first = s.belief[kRules[0]], &second = s.belief[kRules[1]];
+      if (!drawable(first) || !drawable(second)) return NAN;
+      return static_cast<float>(comparePair(first.mu, first.sigma, second.mu, second.sigma).jsd /
                                 kLogTwo);
+    }
     case SeedColorBy::status:
       break;
   }

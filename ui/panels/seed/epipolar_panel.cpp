@@ -132,7 +132,7 @@ struct ProfileLine {
 
 // Vertical lines of the profile over inverse distance, from left to right.
 std::vector<ProfileLine> profileLines(const SeedUpdateView& u, double sigmas) {
-  const BeliefView& b = drawable(u.kl_before) ? u.kl_before : u.js_before;
+  const BeliefView& b = firstComputed(u.before);
   std::vector<ProfileLine> lines{
       {b.mu - sigmas * b.sigma, {ink::dim, 1, true}, format("μ - %gσ", sigmas)},
       {b.mu, {ink::text, 1, true}, "μ"},

@@ -7,18 +7,17 @@
 #include "ui/palette.h"
 #include "ui/panels/seed/densities.h"
 #include "ui/widgets/chart.h"
+#include "ui/widgets/rule_style.h"
 
 namespace svoscope::ui {
 
 namespace {
 
-constexpr Rule kRules[] = {Rule::kl, Rule::js};
-
-const BeliefView& after(const SeedUpdateView& u, Rule rule) {
-  return rule == Rule::kl ? u.kl_after : u.js_after;
-}
-const BeliefView& before(const SeedUpdateView& u, Rule rule) {
-  return rule == Rule::kl ? u.kl_before : u.js_before;
+// Where the convergence threshold is drawn: around the second rule of the table, if it was
+// computed.
+const BeliefView& beliefShown(const ByRule<BeliefView>& after) {
+  const BeliefView& second = after[kRules[1]];
+  return drawable(second) ? second : after[kRules[0]];
 }
 
 bool measured(const SeedUpdateView& u) {
@@ -36,8 +35,8 @@ Range shownRange(PanelContext& c, const ViewedUpdate& v, double truth) {
   const double whole = v.trace->last && v.trace->last->range > 0 ? v.trace->last->range : 1;
   Range r{1e30, -1e30};
   if (v.update && !c.state.seed.whole_range) {
-    for (const Rule rule : kRules) {
-      for (const BeliefView* b : {&before(*v.update, rule), &after(*v.update, rule)}) {
+    for (const FilterRule rule : kRules) {
+      for (const BeliefView* b : {&v.update->before[rule], &v.update->after[rule]}) {
         if (drawable(*b)) widen(r, b->mu - 3.5 * b->sigma, b->mu + 3.5 * b->sigma);
       }
     }
@@ -101,22 +100,21 @@ void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gat
   spec.x = s.shown;
   spec.y_ticks = false;
   spec.size = size;
-  spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed},
-                 {"JS", ruleColor(Rule::js), Swatch::line},
-                 {"faint: before", ink::faint, Swatch::line}};
-  Curve measurement, prior, now[2], then[2];
+  spec.legend = ruleLegend();
+  spec.legend.push_back({"faint: before", ink::faint, Swatch::line});
+  Curve measurement, prior;
+  ByRule<Curve> now, then;
   float top = 0;
   if (v.update) {
-    for (const Rule rule : kRules) {
-      const BeliefView &b = before(*v.update, rule), &a = after(*v.update, rule);
-      const auto i = static_cast<std::size_t>(rule);
-      if (drawable(b)) then[i] = s.curve(b.mu, b.sigma);
-      if (drawable(a)) now[i] = s.curve(a.mu, a.sigma);
-      top = std::max({top, now[i].peak(), then[i].peak()});
+    for (const FilterRule rule : kRules) {
+      const BeliefView &b = v.update->before[rule], &a = v.update->after[rule];
+      if (drawable(b)) then[rule] = s.curve(b.mu, b.sigma);
+      if (drawable(a)) now[rule] = s.curve(a.mu, a.sigma);
+      top = std::max({top, now[rule].peak(), then[rule].peak()});
     }
     if (measured(*v.update)) measurement = s.curve(v.update->x, v.update->tau);
     top = std::max(top, std::min(measurement.peak(), top > 0 ? 2 * top : measurement.peak()));
-    const BeliefView& first = v.trace->updates.front().kl_before;
+    const BeliefView& first = v.trace->updates.front().before[kRules.front()];
     if (v.index > 0 && drawable(first)) prior = s.curve(first.mu, first.sigma);
   }
   if (!measurement.x.empty())
@@ -131,16 +129,14 @@ void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gat
   chart.area(measurement.x, measurement.y, withAlpha(ink::measurement, 0.16f));
   chart.line(measurement.x, measurement.y, {withAlpha(ink::measurement, 0.9f), 1.2f, false});
   chart.line(prior.x, prior.y, {withAlpha(ink::prior, 0.8f), 1.2f, true});
-  for (const Rule rule : kRules) {
-    const auto i = static_cast<std::size_t>(rule);
-    const bool dashed = rule == Rule::kl;
-    chart.line(then[i].x, then[i].y, {withAlpha(ruleColor(rule), 0.45f), 1, dashed});
-    chart.area(now[i].x, now[i].y, withAlpha(ruleColor(rule), 0.10f));
-    chart.line(now[i].x, now[i].y, {ruleColor(rule), 2, dashed});
+  for (const FilterRule rule : kRules) {
+    chart.line(then[rule].x, then[rule].y, ruleLine(rule, 1, 0.45f));
+    chart.area(now[rule].x, now[rule].y, withAlpha(ruleColor(rule), 0.10f));
+    chart.line(now[rule].x, now[rule].y, ruleLine(rule, 2));
   }
   if (truth > 0) chart.markX(s.toShown(truth), {ink::cursor, 1.5f, false}, "true", 0);
   if (v.update && range > 0) {
-    const BeliefView& a = drawable(v.update->js_after) ? v.update->js_after : v.update->kl_after;
+    const BeliefView& a = beliefShown(v.update->after);
     const double half = range * gates.converged_fraction;
     if (std::isfinite(a.mu))
       chart.spanAt(s.toShown(a.mu + half), s.toShown(a.mu - half), 0.05f, ink::threshold);
@@ -161,29 +157,26 @@ void ratioDensityChart(const ViewedUpdate& v, const FilterGates& gates, ImVec2 s
   spec.x = {0, 1};
   spec.y_ticks = false;
   spec.size = size;
-  Curve now[2], then[2];
+  ByRule<Curve> now, then;
   float top = 0;
-  for (const Rule rule : kRules) {
-    const auto i = static_cast<std::size_t>(rule);
+  for (const FilterRule rule : kRules) {
     if (!v.update) continue;
-    const BeliefView &b = before(*v.update, rule), &a = after(*v.update, rule);
-    if (drawable(b)) then[i] = betaCurve(b.a, b.b);
+    const BeliefView &b = v.update->before[rule], &a = v.update->after[rule];
+    if (drawable(b)) then[rule] = betaCurve(b.a, b.b);
     if (!drawable(a)) continue;
-    now[i] = betaCurve(a.a, a.b);
-    top = std::max({top, now[i].peak(), then[i].peak()});
-    spec.legend.push_back({format("%s Beta(%.1f, %.1f)", ruleName(rule), a.a, a.b), ruleColor(rule),
-                           rule == Rule::kl ? Swatch::dashed : Swatch::line});
+    now[rule] = betaCurve(a.a, a.b);
+    top = std::max({top, now[rule].peak(), then[rule].peak()});
+    spec.legend.push_back(ruleEntry(rule, format("%s Beta(%.1f, %.1f)", ruleName(rule), a.a, a.b)));
   }
   spec.y = {0, top > 0 ? 1.12 * top : 1};
   Chart chart(spec);
   chart.shadeX(0, gates.reject_ratio, withAlpha(ink::threshold, 0.15f));
   chart.markX(gates.min_ratio, {ink::threshold, 1, true}, "gate");
   chart.markX(gates.reject_ratio, {ink::threshold, 1, true}, "rejected", 1);
-  for (const Rule rule : kRules) {
-    const auto i = static_cast<std::size_t>(rule);
-    chart.line(then[i].x, then[i].y, {withAlpha(ruleColor(rule), 0.45f), 1, rule == Rule::kl});
-    chart.area(now[i].x, now[i].y, withAlpha(ruleColor(rule), 0.10f));
-    chart.line(now[i].x, now[i].y, {ruleColor(rule), 2, rule == Rule::kl});
+  for (const FilterRule rule : kRules) {
+    chart.line(then[rule].x, then[rule].y, ruleLine(rule, 1, 0.45f));
+    chart.area(now[rule].x, now[rule].y, withAlpha(ruleColor(rule), 0.10f));
+    chart.line(now[rule].x, now[rule].y, ruleLine(rule, 2));
   }
 }
 

@@ -7,9 +7,10 @@
 
 namespace svoscope::ui {
 
-/// Both beliefs before and after, the measurement, prior, range, truth and convergence threshold.
+/// The beliefs of all rules before and after, the measurement, prior, range, truth and convergence
+/// threshold.
 void densityChart(PanelContext& c, const ViewedUpdate& v, const FilterGates& gates, ImVec2 size);
-/// Beta densities of the inlier ratio of both rules, with the gates.
+/// Beta densities of the inlier ratio of all rules, with the gates.
 void ratioDensityChart(const ViewedUpdate& v, const FilterGates& gates, ImVec2 size);
 
 /// Columns of a trace: one entry per update.
@@ -19,7 +20,7 @@ struct TraceColumns {
   struct PerRule {
     std::vector<float> mu, lo, hi, sigma_ratio, inlier_ratio;
   };
-  PerRule rule[2];
+  ByRule<PerRule> rule;
   std::vector<float> failed;  ///< steps without a match
 };
 TraceColumns traceColumns(const SeedTrace& trace);
@@ -35,9 +36,10 @@ void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& co
 /// Pinned seeds, one compact row each.
 void pinnedRows(PanelContext& c, const FilterGates& gates);
 
-/// One row of numbers: text for both rules, before and after an update.
+/// One row of numbers: text for every rule, before and after an update.
 struct SeedFact {
-  std::string name, kl, js;
+  std::string name;
+  ByRule<std::string> text;
 };
 std::vector<SeedFact> seedFacts(const SeedUpdateView& update, double true_inv_distance);
 

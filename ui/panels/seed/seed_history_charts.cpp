@@ -8,16 +8,11 @@
 #include "ui/theme.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/probe.h"
+#include "ui/widgets/rule_style.h"
 
 namespace svoscope::ui {
 
 namespace {
-
-constexpr Rule kRules[] = {Rule::kl, Rule::js};
-
-const BeliefView& after(const SeedUpdateView& u, Rule rule) {
-  return rule == Rule::kl ? u.kl_after : u.js_after;
-}
 
 ChartSpec historySpec(const char* id, const char* title, const TraceColumns& t, ImVec2 size) {
   ChartSpec spec;
@@ -29,8 +24,7 @@ ChartSpec historySpec(const char* id, const char* title, const TraceColumns& t, 
   spec.x = {spec.log_x ? 0.9 : 0.5,
             std::max(2.0, static_cast<double>(t.step.size())) * (spec.log_x ? 1.05 : 1) + 0.5};
   spec.size = size;
-  spec.legend = {{"KL", ruleColor(Rule::kl), Swatch::dashed},
-                 {"JS", ruleColor(Rule::js), Swatch::line}};
+  spec.legend = ruleLegend();
   return spec;
 }
 
@@ -44,8 +38,8 @@ void stepping(PanelContext& c, Chart& chart, const ViewedUpdate& v) {
   ImGui::BeginTooltip();
   ImGui::Text("Update %d, frame %d, %s", i + 1, u.frame_index, searchOutcomeName(u.outcome));
   if (u.tau > 0) ImGui::Text("x %.4f ± %.4f", u.x, u.tau);
-  for (const Rule rule : kRules) {
-    const BeliefView& b = after(u, rule);
+  for (const FilterRule rule : kRules) {
+    const BeliefView& b = u.after[rule];
     ImGui::Text("%s  μ %.4f  σ %.5f  ratio %.2f", ruleName(rule), b.mu, b.sigma, inlierRatio(b));
   }
   ImGui::TextDisabled("Click to look at it");
@@ -74,9 +68,9 @@ TraceColumns traceColumns(const SeedTrace& trace) {
     t.x_lo.push_back(has ? u.x - u.tau : NAN);
     t.x_hi.push_back(has ? u.x + u.tau : NAN);
     if (!has) t.failed.push_back(step);
-    for (const Rule rule : kRules) {
-      TraceColumns::PerRule& r = t.rule[static_cast<int>(rule)];
-      const BeliefView& b = after(u, rule);
+    for (const FilterRule rule : kRules) {
+      TraceColumns::PerRule& r = t.rule[rule];
+      const BeliefView& b = u.after[rule];
       const bool ok = drawable(b);
       r.mu.push_back(ok ? b.mu : NAN);
       r.lo.push_back(ok ? b.mu - b.sigma : NAN);
@@ -111,10 +105,10 @@ void beliefHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t
   if (!t.failed.empty()) spec.legend.push_back({"no measurement", ink::threshold, Swatch::cross});
   Chart chart(spec);
   if (truth > 0) chart.markY(truth, {ink::cursor, 1.3f, false});
-  for (const Rule rule : kRules) {
-    const TraceColumns::PerRule& p = t.rule[static_cast<int>(rule)];
+  for (const FilterRule rule : kRules) {
+    const TraceColumns::PerRule& p = t.rule[rule];
     chart.band(t.step, p.lo, p.hi, withAlpha(ruleColor(rule), 0.16f));
-    chart.line(t.step, p.mu, {ruleColor(rule), 1.8f, rule == Rule::kl});
+    chart.line(t.step, p.mu, ruleLine(rule));
   }
   const bool bars = t.step.size() < 150;
   for (std::size_t i = 0; i < t.x.size(); ++i) {
@@ -138,9 +132,8 @@ void sigmaHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
   }
   spec.y = padded(r, 0.1, true);
   Chart chart(spec);
-  for (const Rule rule : kRules) {
-    chart.line(t.step, t.rule[static_cast<int>(rule)].sigma_ratio,
-               {ruleColor(rule), 1.8f, rule == Rule::kl});
+  for (const FilterRule rule : kRules) {
+    chart.line(t.step, t.rule[rule].sigma_ratio, ruleLine(rule));
   }
   chart.markY(gates.converged_fraction, {ink::threshold, 1, true}, "converged below");
   stepping(c, chart, v);
@@ -151,9 +144,8 @@ void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
   ChartSpec spec = historySpec("Inlier ratio history", "Inlier ratio a/(a+b)", t, size);
   spec.y = {0, 1};
   Chart chart(spec);
-  for (const Rule rule : kRules) {
-    chart.line(t.step, t.rule[static_cast<int>(rule)].inlier_ratio,
-               {ruleColor(rule), 1.8f, rule == Rule::kl});
+  for (const FilterRule rule : kRules) {
+    chart.line(t.step, t.rule[rule].inlier_ratio, ruleLine(rule));
   }
   chart.markY(gates.min_ratio, {ink::threshold, 1, true}, "gate");
   chart.markY(gates.reject_ratio, {ink::threshold, 1, true}, "rejected below");
@@ -161,11 +153,14 @@ void ratioHistory(PanelContext& c, const ViewedUpdate& v, const TraceColumns& t,
 }
 
 std::string traceCsv(const SeedTrace& trace) {
-  std::string text =
-      "seed,update,frame,outcome,x,tau,score,kl_mu_before,kl_sigma_before,kl_a_before,kl_b_before,"
-      "kl_mu,kl_sigma,"
-      "kl_a,kl_b,js_mu_before,js_sigma_before,js_a_before,js_b_before,js_mu,js_sigma,js_a,js_b,"
-      "kl_belief_measurement,kl_measurement_belief,jsd,affinity\n";
+  std::string text = "seed,update,frame,outcome,x,tau,score";
+  for (const RuleInfo& rule : kRuleTable) {
+    for (const char* when : {"_before", ""}) {
+      for (const char* field : {"mu", "sigma", "a", "b"})
+        text += format(",%s_%s%s", rule.id, field, when);
+    }
+  }
+  text += ",kl_belief_measurement,kl_measurement_belief,jsd,affinity\n";
   const auto belief = [&](const BeliefView& b) {
     text += format(",%.9g,%.9g,%.9g,%.9g", b.mu, b.sigma, b.a, b.b);
   };
@@ -174,10 +169,10 @@ std::string traceCsv(const SeedTrace& trace) {
     text += format("%lld,%d,%d,%s,%.9g,%.9g,%.6g", static_cast<long long>(u.seed_id),
                    static_cast<int>(i + 1), u.frame_index, searchOutcomeName(u.outcome), u.x, u.tau,
                    u.score);
-    belief(u.kl_before);
-    belief(u.kl_after);
-    belief(u.js_before);
-    belief(u.js_after);
+    for (const FilterRule rule : kRules) {
+      belief(u.before[rule]);
+      belief(u.after[rule]);
+    }
     text += format(",%.9g,%.9g,%.9g,%.9g\n", u.kl_belief_measurement, u.kl_measurement_belief,
                    u.jsd, u.affinity);
   }

@@ -108,19 +108,16 @@ void cell(const std::string& text, ImU32 color = ink::text) {
 void factsTable(const std::vector<SeedFact>& facts) {
   const ImGuiTableFlags flags =
       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_RowBg;
-  if (!ImGui::BeginTable("##facts", 3, flags)) return;
+  if (!ImGui::BeginTable("##facts", 1 + static_cast<int>(kRuleCount), flags)) return;
   ImGui::TableSetupColumn("", 0, 1.1f);
-  ImGui::TableSetupColumn("", 0, 1.5f);
-  ImGui::TableSetupColumn("", 0, 1.5f);
+  for (std::size_t i = 0; i < kRuleCount; ++i) ImGui::TableSetupColumn("", 0, 1.5f);
   ImGui::TableNextRow();
   cell("Before → after", ink::dim);
-  cell("KL", ruleColor(Rule::kl));
-  cell("JS", ruleColor(Rule::js));
+  for (const FilterRule rule : kRules) cell(ruleName(rule), ruleColor(rule));
   for (const SeedFact& f : facts) {
     ImGui::TableNextRow();
     cell(f.name, ink::dim);
-    cell(f.kl);
-    cell(f.js);
+    for (const std::string& text : f.text) cell(text);
   }
   ImGui::EndTable();
 }
@@ -177,9 +174,15 @@ void charts(PanelContext& c, const ViewedUpdate& v) {
 }  // namespace
 
 std::vector<SeedFact> seedFacts(const SeedUpdateView& u, double truth) {
-  const auto both = [&](const char* name, const char* pattern, float BeliefView::*field) {
-    return SeedFact{name, change(u.kl_before, u.kl_after, pattern, field),
-                    change(u.js_before, u.js_after, pattern, field)};
+  const auto fact = [&](const char* name, const auto& text) {
+    SeedFact f{name, {}};
+    for (const FilterRule rule : kRules) f.text[rule] = text(u.before[rule], u.after[rule]);
+    return f;
+  };
+  const auto field = [&](const char* name, const char* pattern, float BeliefView::*member) {
+    return fact(name, [&](const BeliefView& before, const BeliefView& after) {
+      return change(before, after, pattern, member);
+    });
   };
   const auto ratio = [](const BeliefView& before, const BeliefView& after) {
     if (!drawable(after)) return std::string("not computed");
@@ -187,15 +190,14 @@ std::vector<SeedFact> seedFacts(const SeedUpdateView& u, double truth) {
     return std::isfinite(now) && std::isfinite(then) ? format("%.3f → %.3f", then, now)
                                                      : std::string("–");
   };
-  std::vector<SeedFact> facts{
-      both("μ, 1/map unit", "%.5f", &BeliefView::mu),
-      both("σ, 1/map unit", "%.5f", &BeliefView::sigma),
-      both("a", "%.2f", &BeliefView::a),
-      both("b", "%.2f", &BeliefView::b),
-      {"Inlier ratio", ratio(u.kl_before, u.kl_after), ratio(u.js_before, u.js_after)}};
+  std::vector<SeedFact> facts{field("μ, 1/map unit", "%.5f", &BeliefView::mu),
+                              field("σ, 1/map unit", "%.5f", &BeliefView::sigma),
+                              field("a", "%.2f", &BeliefView::a),
+                              field("b", "%.2f", &BeliefView::b), fact("Inlier ratio", ratio)};
   if (truth > 0)
-    facts.push_back(
-        {"Error of distance", truthText(u.kl_after, truth), truthText(u.js_after, truth)});
+    facts.push_back(fact("Error of distance", [&](const BeliefView&, const BeliefView& after) {
+      return truthText(after, truth);
+    }));
   return facts;
 }
 

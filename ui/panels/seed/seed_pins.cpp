@@ -15,8 +15,6 @@ namespace svoscope::ui {
 
 namespace {
 
-constexpr Rule kRules[] = {Rule::kl, Rule::js};
-
 struct Box {
   ImVec2 lo, hi;
   ImVec2 at(double u, double v) const {
@@ -38,8 +36,8 @@ void densities(const Box& box, const SeedView& s, double truth) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   pen::rectFilled(list, box.lo, box.hi, ink::canvas);
   const double range = s.range > 0 ? s.range : 1;
-  for (const Rule rule : kRules) {
-    const BeliefView& b = rule == Rule::kl ? s.kl : s.js;
+  for (const FilterRule rule : kRules) {
+    const BeliefView& b = s.belief[rule];
     if (!drawable(b)) continue;
     const Curve curve = gaussianCurve(b.mu, b.sigma, {0, range});
     const float peak = std::max(curve.peak(), 1e-12f);
@@ -47,7 +45,7 @@ void densities(const Box& box, const SeedView& s, double truth) {
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
       unit.push_back({static_cast<float>(curve.x[i] / range), 0.9f * curve.y[i] / peak});
     }
-    polyline(box, unit, ruleColor(rule), rule == Rule::kl);
+    polyline(box, unit, ruleColor(rule), ruleDashed(rule));
   }
   if (truth > 0 && truth < range)
     pen::line(list, box.at(truth / range, 0), box.at(truth / range, 1), ink::cursor, dp(1));
@@ -61,8 +59,8 @@ void convergence(const Box& box, const TraceColumns& t, double gate, std::size_t
   };
   pen::line(list, box.at(0, height(gate)), box.at(1, height(gate)), withAlpha(ink::threshold, 0.8f),
             dp(1));
-  for (const Rule rule : kRules) {
-    const auto& sigma = t.rule[static_cast<int>(rule)].sigma_ratio;
+  for (const FilterRule rule : kRules) {
+    const auto& sigma = t.rule[rule].sigma_ratio;
     std::vector<ImVec2> unit;
     for (std::size_t i = 0; i < sigma.size(); ++i) {
       if (std::isfinite(sigma[i])) {
@@ -71,7 +69,7 @@ void convergence(const Box& box, const TraceColumns& t, double gate, std::size_t
              height(sigma[i])});
       }
     }
-    polyline(box, unit, ruleColor(rule), rule == Rule::kl);
+    polyline(box, unit, ruleColor(rule), ruleDashed(rule));
   }
 }
 

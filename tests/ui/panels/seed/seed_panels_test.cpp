@@ -55,14 +55,18 @@ TEST_F(SeedPanels, ShowTheNumbersOfTheSnapshot) {
   EXPECT_EQ(state().seed.shown_update, state().seed.held_updates) << "live: the newest update";
   const SeedUpdateView& shown = trace->updates.back();
   const SeedView& seed = *findSeed(*runner_->latest(), update_.seed_id);
-  EXPECT_EQ(shown.kl_after.mu, seed.kl.mu);
-  EXPECT_EQ(shown.js_after.sigma, seed.js.sigma);
+  EXPECT_EQ(shown.after[FilterRule::kl].mu, seed.belief[FilterRule::kl].mu);
+  EXPECT_EQ(shown.after[FilterRule::js].sigma, seed.belief[FilterRule::js].sigma);
   const auto facts = seedFacts(shown, 0);
   ASSERT_GE(facts.size(), 5u);
-  EXPECT_EQ(facts[0].kl, format("%.5f → %.5f", shown.kl_before.mu, seed.kl.mu));
-  EXPECT_EQ(facts[1].js, format("%.5f → %.5f", shown.js_before.sigma, seed.js.sigma));
-  EXPECT_EQ(facts[4].kl, format("%.3f → %.3f", inlierRatio(shown.kl_before),
-                                seed.kl.a / (seed.kl.a + seed.kl.b)));
+  EXPECT_EQ(facts[0].text[FilterRule::kl],
+            format("%.5f → %.5f", shown.before[FilterRule::kl].mu, seed.belief[FilterRule::kl].mu));
+  EXPECT_EQ(facts[1].text[FilterRule::js], format("%.5f → %.5f", shown.before[FilterRule::js].sigma,
+                                                  seed.belief[FilterRule::js].sigma));
+  EXPECT_EQ(facts[4].text[FilterRule::kl],
+            format("%.3f → %.3f", inlierRatio(shown.before[FilterRule::kl]),
+                   seed.belief[FilterRule::kl].a /
+                       (seed.belief[FilterRule::kl].a + seed.belief[FilterRule::kl].b)));
 }
 
 TEST_F(SeedPanels, StepThroughUpdatesByButtonKeyAndChart) {
@@ -192,7 +196,8 @@ TEST(FilterStats, ReadsEverySnapshotOnceAndStaysBounded) {
   }
   EXPECT_LE(stats.points().size(), FilterStats::kMostPoints);
   EXPECT_EQ(stats.run().jsd.total(), stats.measurements());
-  const auto kl = stats.convergence(0, 0.5), js = stats.convergence(1, 0.5);
+  const auto kl = stats.convergence(FilterRule::kl, 0.5),
+             js = stats.convergence(FilterRule::js, 0.5);
   ASSERT_GT(kl.size(), 20u);
   EXPECT_LT(js[19], kl[19]) << "the fake JS rule is faster";
   Command reset;
@@ -267,7 +272,8 @@ SeedUpdateView badUpdate(const BeliefView& bad) {
   u.seed_id = 7;
   u.frame_index = 2;
   u.outcome = SearchOutcome::matched;
-  u.kl_before = u.kl_after = u.js_before = u.js_after = bad;
+  u.before.fill(bad);
+  u.after.fill(bad);
   u.x = bad.mu;
   u.tau = bad.sigma;
   u.kl_belief_measurement = std::numeric_limits<float>::infinity();
@@ -297,7 +303,7 @@ TEST_F(DegenerateSeeds, DrawNothingWrongInAnyPanel) {
       SeedView seed;
       seed.id = 7;
       seed.range = range;
-      seed.kl = seed.js = bad;
+      seed.belief.fill(bad);
       seed.mu = bad.mu, seed.sigma = bad.sigma, seed.a = bad.a, seed.b = bad.b;
       seed.visible = true;
       seed.updates = 2;
@@ -340,7 +346,8 @@ TEST_F(DegenerateSeeds, SayNoNaN) {
     const TraceColumns columns = traceColumns(trace);
     EXPECT_EQ(columns.step.size(), 2u);
     for (const SeedFact& f : seedFacts(u, 0.5))
-      EXPECT_EQ(f.kl.find("nan"), std::string::npos) << f.name << ": " << f.kl;
+      for (const std::string& text : f.text)
+        EXPECT_EQ(text.find("nan"), std::string::npos) << f.name << ": " << text;
   }
 }
 
