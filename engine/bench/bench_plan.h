@@ -2,9 +2,11 @@
 // The cells of a benchmark and where their results lie.
 //
 //   DIR/bench.yaml                        the configuration
-//   DIR/sequences/NAME/                   times.txt, groundtruth.txt, sequence.json: all a report
-//   needs DIR/peers/LABEL/NAME.txt              external trajectories DIR/synth/NAME/ rendered
-//   sequences DIR/cells/NAME/SYSTEM/run-N/          files of `svoscope run`, log.txt, cell.json
+//   DIR/sequences/NAME/                   times.txt, groundtruth.txt, sequence.json: all that a
+//                                         report needs
+//   DIR/peers/LABEL/NAME.txt              external trajectories
+//   DIR/synth/NAME/                       rendered sequences
+//   DIR/cells/NAME/SYSTEM/run-N/          files of `svoscope run`, log.txt, cell.json
 #pragma once
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "engine/dataset/camera_file.h"
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
-#include "engine/dataset/loaders.h"
+#include "engine/dataset/loader.h"
 
 namespace svoscope {
 namespace {
@@ -43,9 +43,11 @@ Result<Trajectory> readCameraTruth(const fs::path& mav, const SE3& T_body_cam) {
   return Trajectory{};
 }
 
-}  // namespace
+bool isAsl(const fs::path& folder) {
+  return fs::is_directory(folder / "mav0") || fs::is_directory(folder / "cam0");
+}
 
-OpenedSequence openEurocSequence(const fs::path& folder) {
+OpenedSequence openFolder(const fs::path& folder) {
   const bool above = fs::is_directory(folder / "mav0");
   const fs::path mav = above ? folder / "mav0" : folder;
   ImageList list;
@@ -68,5 +70,12 @@ OpenedSequence openEurocSequence(const fs::path& folder) {
   list.truth = std::move(truth.value());
   return ListSequence::open(std::move(list));
 }
+
+}  // namespace
+
+/// The folder that contains mav0, or mav0: cam0/data.csv, cam0/data/, cam0/sensor.yaml; optional
+/// state_groundtruth_estimate0/data.csv or mocap0/data.csv, poses of the body turned into poses of
+/// the camera: T_world_cam = T_world_body * T_body_cam with T_body_cam = T_BS of cam0.
+Loader eurocLoader() { return {Loader::Takes::folder, "mav0/ (EuRoC/ASL)", isAsl, openFolder}; }
 
 }  // namespace svoscope

@@ -2,13 +2,16 @@
 #include "engine/dataset/camera_file.h"
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
-#include "engine/dataset/loaders.h"
+#include "engine/dataset/loader.h"
 
 namespace svoscope {
+namespace {
 
 namespace fs = std::filesystem;
 
-OpenedSequence openImageFolder(const fs::path& folder) {
+bool hasImages(const fs::path& folder) { return !sortedImages(folder).empty(); }
+
+OpenedSequence openFolder(const fs::path& folder) {
   ImageList list;
   list.name = folderName(folder);
   const fs::path file = folder / "camera.yaml";
@@ -30,6 +33,14 @@ OpenedSequence openImageFolder(const fs::path& folder) {
     list.truth = std::move(truth.value());
   }
   return ListSequence::open(std::move(list));
+}
+
+}  // namespace
+
+/// Images in natural order and camera.yaml, whose rate_hz (default 30) gives the time stamps;
+/// optional groundtruth.txt in TUM format.
+Loader imageFolderLoader() {
+  return {Loader::Takes::folder, "images and camera.yaml", hasImages, openFolder};
 }
 
 }  // namespace svoscope

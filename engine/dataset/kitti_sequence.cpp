@@ -5,7 +5,7 @@
 #include "engine/base/text_rows.h"
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
-#include "engine/dataset/loaders.h"
+#include "engine/dataset/loader.h"
 
 namespace svoscope {
 namespace {
@@ -69,9 +69,12 @@ Result<Trajectory> readTruth(const fs::path& folder, const std::vector<ImageEntr
   return Trajectory{};
 }
 
-}  // namespace
+bool isKitti(const fs::path& folder) {
+  const bool lists = fs::exists(folder / "times.txt") && fs::exists(folder / "calib.txt");
+  return lists || fs::is_directory(folder / "image_0");
+}
 
-OpenedSequence openKittiSequence(const fs::path& folder) {
+OpenedSequence openFolder(const fs::path& folder) {
   ImageList list;
   list.name = folderName(folder);
   auto entries = listImages(folder);
@@ -96,6 +99,14 @@ OpenedSequence openKittiSequence(const fs::path& folder) {
   if (!truth) return truth.error();
   list.truth = std::move(truth.value());
   return ListSequence::open(std::move(list));
+}
+
+}  // namespace
+
+/// A folder like sequences/00: image_0/, calib.txt with P0, times.txt; optional poses.txt there or
+/// ../../poses/00.txt (poses of the left grey camera).
+Loader kittiLoader() {
+  return {Loader::Takes::folder, "image_0/ (KITTI odometry)", isKitti, openFolder};
 }
 
 }  // namespace svoscope

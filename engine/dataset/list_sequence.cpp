@@ -8,6 +8,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
+#include "engine/base/quantile.h"
+
 namespace svoscope {
 namespace {
 
@@ -109,8 +111,7 @@ double medianRate(const std::vector<ImageEntry>& entries) {
   std::vector<double> steps;
   for (size_t i = 1; i < entries.size(); ++i)
     steps.push_back(entries[i].timestamp - entries[i - 1].timestamp);
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  const double step = steps[steps.size() / 2];
+  const double step = upperMedian(std::move(steps));
   return step > 0 ? 1.0 / step : 0;
 }
 

@@ -1,35 +1,60 @@
 // SPDX-License-Identifier: MIT
-#include "engine/dataset/list_sequence.h"
-#include "engine/dataset/loaders.h"
+#include <vector>
+
+#include "engine/dataset/loader.h"
 #include "engine/dataset/sequence.h"
 #include "engine/dataset/synthetic/synthetic.h"
 
 namespace svoscope {
+
+// Each is defined in the file of its loader.
+Loader tumLoader();
+Loader eurocLoader();
+Loader kittiLoader();
+Loader imageFolderLoader();
+Loader videoLoader();
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kKinds =
-    "a sequence is synthetic:PRESET, a folder with rgb.txt (TUM RGB-D), mav0/ (EuRoC/ASL), "
-    "image_0/ (KITTI odometry) or images and camera.yaml, or a video with its calibration beside";
+/// In the order in which they are asked.
+const std::vector<Loader>& loaders() {
+  static const std::vector<Loader> rows = {tumLoader(), eurocLoader(), kittiLoader(),
+                                           imageFolderLoader(), videoLoader()};
+  return rows;
+}
 
-bool isAsl(const fs::path& folder) {
-  return fs::is_directory(folder / "mav0") || fs::is_directory(folder / "cam0");
+/// "a, b or c".
+std::string listed(Loader::Takes kind) {
+  std::vector<std::string> layouts;
+  for (const Loader& loader : loaders())
+    if (loader.takes == kind) layouts.emplace_back(loader.layout);
+  std::string text;
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    if (i > 0) text += i + 1 < layouts.size() ? ", " : " or ";
+    text += layouts[i];
+  }
+  return text;
+}
+
+std::string knownKinds() {
+  return "a sequence is synthetic:PRESET, a folder with " + listed(Loader::Takes::folder) +
+         ", or " + listed(Loader::Takes::file);
 }
 
 OpenedSequence openPath(const std::string& spec) {
   const fs::path path(spec);
   std::error_code ec;
   if (spec.empty() || !fs::exists(path, ec))
-    return inputError("there is no such file or folder", spec, kKinds);
-  if (!fs::is_directory(path, ec)) return openVideoSequence(path);
-  if (fs::exists(path / "rgb.txt")) return openTumSequence(path);
-  if (isAsl(path)) return openEurocSequence(path);
-  const bool kitti_lists = fs::exists(path / "times.txt") && fs::exists(path / "calib.txt");
-  if (kitti_lists || fs::is_directory(path / "image_0")) return openKittiSequence(path);
-  if (!sortedImages(path).empty()) return openImageFolder(path);
-  if (fs::is_directory(path / "rgb")) return openTumSequence(path);  // says that rgb.txt is missing
-  return inputError("no known sequence layout", spec, kKinds);
+    return inputError("there is no such file or folder", spec, knownKinds());
+  const auto kind = fs::is_directory(path, ec) ? Loader::Takes::folder : Loader::Takes::file;
+  for (const Loader& loader : loaders())
+    if (loader.takes == kind && loader.recognises(path)) return loader.open(path);
+  for (const Loader& loader : loaders())
+    if (loader.takes == kind && loader.resembles && loader.resembles(path))
+      return loader.open(path);
+  return inputError("no known sequence layout", spec, knownKinds());
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "engine/dataset/camera_file.h"
 #include "engine/dataset/ground_truth.h"
 #include "engine/dataset/list_sequence.h"
-#include "engine/dataset/loaders.h"
+#include "engine/dataset/loader.h"
 
 namespace svoscope {
 namespace {
@@ -75,9 +75,10 @@ Status findCamera(const fs::path& folder, ImageList& list) {
   return Done{};
 }
 
-}  // namespace
+bool hasList(const fs::path& folder) { return fs::exists(folder / "rgb.txt"); }
+bool hasImagesOnly(const fs::path& folder) { return fs::is_directory(folder / "rgb"); }
 
-OpenedSequence openTumSequence(const fs::path& folder) {
+OpenedSequence openFolder(const fs::path& folder) {
   ImageList list;
   list.name = folderName(folder);
   auto entries = readStampedFiles(folder / "rgb.txt");
@@ -98,6 +99,15 @@ OpenedSequence openTumSequence(const fs::path& folder) {
     attachDepth(depths.value(), list.entries);
   }
   return ListSequence::open(std::move(list));
+}
+
+}  // namespace
+
+/// rgb.txt, the images it lists, camera.yaml (or a folder name with freiburg1/2/3 or fr1/2/3);
+/// optional groundtruth.txt and depth.txt (16-bit PNG, metres x 5000; each belongs to the nearest
+/// image within 0.02 s).
+Loader tumLoader() {
+  return {Loader::Takes::folder, "rgb.txt (TUM RGB-D)", hasList, openFolder, hasImagesOnly};
 }
 
 }  // namespace svoscope

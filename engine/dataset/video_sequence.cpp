@@ -5,7 +5,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "engine/dataset/camera_file.h"
-#include "engine/dataset/loaders.h"
+#include "engine/dataset/loader.h"
 
 namespace svoscope {
 namespace {
@@ -121,9 +121,9 @@ Result<SequenceImage> VideoSequence::read(int index) {
   return SequenceImage{index, timestamp(index), gray};
 }
 
-}  // namespace
+bool isFile(const fs::path&) { return true; }  // what it is, opening finds out
 
-OpenedSequence openVideoSequence(const fs::path& file) {
+OpenedSequence openFile(const fs::path& file) {
   fs::path calibration = file;
   calibration.replace_extension(".yaml");
   if (!fs::exists(calibration)) calibration = file.parent_path() / "camera.yaml";
@@ -137,6 +137,13 @@ OpenedSequence openVideoSequence(const fs::path& file) {
   const Status opened = sequence->open();
   if (!opened) return opened.error();
   return std::unique_ptr<Sequence>(std::move(sequence));
+}
+
+}  // namespace
+
+/// A video with NAME.yaml or camera.yaml beside it. Reading forward is fast, backward reopens.
+Loader videoLoader() {
+  return {Loader::Takes::file, "a video with its calibration beside", isFile, openFile};
 }
 
 }  // namespace svoscope

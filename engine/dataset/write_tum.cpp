@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dataset/write_tum.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -17,12 +19,6 @@ const double kDepthScale = 5000;  ///< grey levels per metre; 65535 is 13.1 m
 Error cannotWrite(const fs::path& file) {
   return outputError("the file cannot be written", file.string(),
                      "check that the folder is writable and has space left");
-}
-
-std::string formatted(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 Status writeImage(const fs::path& file, const cv::Mat& image) {
@@ -55,8 +51,9 @@ Status writeTruth(const Trajectory& truth, const fs::path& file) {
   for (const StampedPose& pose : truth) {
     const Vec3& t = pose.T_world_cam.translation();
     const auto& q = pose.T_world_cam.quaternion();
-    out << formatted("%.6f", pose.timestamp);
-    for (double v : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) out << formatted(" %.9g", v);
+    out << fmt::format("{:.6f}", pose.timestamp);
+    for (double v : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
+      out << fmt::format(" {:.9g}", v);
     out << '\n';
   }
   if (!out.flush()) return cannotWrite(file);
@@ -77,7 +74,7 @@ struct Lists {
 Status writeFrame(Sequence& sequence, int index, const fs::path& folder, Lists& lists) {
   const auto frame = sequence.read(index);
   if (!frame) return frame.error();
-  const std::string stamp = formatted("%.6f", frame.value().timestamp);
+  const std::string stamp = fmt::format("{:.6f}", frame.value().timestamp);
   const std::string image = "rgb/" + stamp + ".png", depth_image = "depth/" + stamp + ".png";
   const Status written = writeImage(folder / image, frame.value().gray);
   if (!written) return written;

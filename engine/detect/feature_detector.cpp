@@ -20,6 +20,20 @@ int OccupancyGrid::cellOf(const Vec2& px) const {
   return r * columns_ + c;
 }
 
+Vec2 OccupancyGrid::centreOf(int cell) const {
+  return cell_px_ * Vec2(cell % columns_ + 0.5, cell / columns_ + 0.5);
+}
+
+OccupancyGrid OccupancyGrid::withCells(int cell_px) const {
+  if (cell_px == cell_px_) return *this;
+  OccupancyGrid other(columns_ * cell_px_, rows_ * cell_px_, cell_px);
+  for (int cell = 0; cell < other.cells(); ++cell)
+    if (taken(other.centreOf(cell))) other.taken_[cell] = 1;
+  for (int cell = 0; cell < cells(); ++cell)
+    if (taken(cell)) other.take(centreOf(cell));
+  return other;
+}
+
 int scaledCell(int cell_px, int image_width) {
   return std::max(8, static_cast<int>(std::lround(cell_px * std::sqrt(image_width / 640.0))));
 }

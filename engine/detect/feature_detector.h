@@ -38,9 +38,13 @@ class OccupancyGrid {
   bool taken(const Vec2& px) const { return taken(cellOf(px)); }
   void take(const Vec2& px) { taken_[cellOf(px)] = 1; }
   int cells() const { return static_cast<int>(taken_.size()); }
-  int cellPx() const { return cell_px_; }
+  /// The same places with cells of another size: a cell is taken if its centre lies in a taken one,
+  /// or the other way round.
+  OccupancyGrid withCells(int cell_px) const;
 
  private:
+  Vec2 centreOf(int cell) const;
+
   int cell_px_ = 1, columns_ = 0, rows_ = 0;
   std::vector<std::uint8_t> taken_;
 };

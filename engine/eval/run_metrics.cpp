@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/methods.h"
+#include "engine/base/quantile.h"
 #include "engine/eval/estimate.h"
 
 namespace svoscope {
@@ -47,7 +48,8 @@ StageTime stageTime(const std::vector<FrameRecord>& records, Stage stage) {
   for (const FrameRecord& record : records) {
     if (record.ms(stage) > 0) values.push_back(record.ms(stage));
   }
-  return {percentile(values, 0.5), percentile(values, 0.95), static_cast<int>(values.size())};
+  return {interpolatedQuantile(values, 0.5).value_or(0),
+          interpolatedQuantile(values, 0.95).value_or(0), static_cast<int>(values.size())};
 }
 
 Json seedsJson(const RunMetrics& metrics) {
@@ -84,16 +86,6 @@ std::string evaluationText(const RunMetrics& metrics) {
 const char* seedRule(const std::string& id) {
   const MethodInfo* method = findMethod(id);
   return ruleInfo(method ? method->rule : kRules.front()).id;
-}
-
-double percentile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double position = fraction * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  const double part = position - static_cast<double>(below);
-  return (1 - part) * values[below] + part * values[above];
 }
 
 RunMetrics metricsOfRecords(const std::vector<FrameRecord>& records, int frames) {

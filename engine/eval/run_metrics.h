@@ -61,7 +61,4 @@ nlohmann::ordered_json metricsJson(const RunMetrics& metrics);
 /// A few lines for people.
 std::string metricsText(const RunMetrics& metrics);
 
-/// Value below which `fraction` of the values lie, linear between neighbours; 0 if none.
-double percentile(std::vector<double> values, double fraction);
-
 }  // namespace svoscope

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "engine/geometry/two_view.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
 #include "engine/geometry/triangulation.h"
 #include "engine/geometry/two_view_bundle.h"
 #include "engine/geometry/two_view_decompose.h"
 #include "engine/geometry/two_view_models.h"
-#include "engine/geometry/two_view_support.h"
 
 namespace svoscope {
 
@@ -101,7 +103,7 @@ void fillStructure(const TwoViewData& data, const TwoViewOptions& options, TwoVi
     ++out.inliers;
   }
   out.rms_px = out.inliers > 0 ? std::sqrt(sum / out.inliers) : 0;
-  out.parallax_deg = medianOf(parallax) * 180 / M_PI;
+  out.parallax_deg = upperMedian(parallax) * 180 / M_PI;
 }
 
 void judge(const TwoViewOptions& o, int tracks, TwoViewResult& out) {
@@ -110,23 +112,23 @@ void judge(const TwoViewOptions& o, int tracks, TwoViewResult& out) {
       std::max(o.min_inliers, static_cast<int>(std::ceil(o.min_inlier_ratio * tracks)));
   if (out.gric_rotation <= best_gric) {
     out.verdict = TwoViewVerdict::rotation_only;
-    out.reason = formatLine("a rotation explains the motion: %.1f px left of %.1f px",
-                            out.rotation_residual_px, out.disparity_px);
+    out.reason = fmt::format("a rotation explains the motion: {:.1f} px left of {:.1f} px",
+                             out.rotation_residual_px, out.disparity_px);
   } else if (out.rotation_residual_px < o.min_disparity_px) {
     out.verdict = TwoViewVerdict::low_parallax;
-    out.reason = formatLine("disparity without rotation %.1f px < %.1f px",
-                            out.rotation_residual_px, o.min_disparity_px);
+    out.reason = fmt::format("disparity without rotation {:.1f} px < {:.1f} px",
+                             out.rotation_residual_px, o.min_disparity_px);
   } else if (out.inliers < wanted) {
     out.verdict = TwoViewVerdict::too_few_inliers;
-    out.reason = formatLine("%d inliers of %d < %d", out.inliers, tracks, wanted);
+    out.reason = fmt::format("{} inliers of {} < {}", out.inliers, tracks, wanted);
   } else if (out.candidates.size() > 1) {
     out.verdict = TwoViewVerdict::ambiguous;
     out.reason =
-        formatLine("%d poses explain the motion alike", static_cast<int>(out.candidates.size()));
+        fmt::format("{} poses explain the motion alike", static_cast<int>(out.candidates.size()));
   } else {
     out.verdict = TwoViewVerdict::ok;
-    out.reason = formatLine("%s, %d inliers of %d, %.2f px", twoViewModelName(out.model),
-                            out.inliers, tracks, out.rms_px);
+    out.reason = fmt::format("{}, {} inliers of {}, {:.2f} px", twoViewModelName(out.model),
+                             out.inliers, tracks, out.rms_px);
   }
 }
 
@@ -146,26 +148,6 @@ std::vector<TwoViewPose> findPoses(const TwoViewData& data, const Eigen::Quatern
 }
 
 }  // namespace
-
-const char* twoViewVerdictName(TwoViewVerdict verdict) {
-  switch (verdict) {
-    case TwoViewVerdict::ok:
-      return "ok";
-    case TwoViewVerdict::too_few_tracks:
-      return "too few tracks";
-    case TwoViewVerdict::rotation_only:
-      return "rotation only";
-    case TwoViewVerdict::low_parallax:
-      return "low parallax";
-    case TwoViewVerdict::too_few_inliers:
-      return "too few inliers";
-    case TwoViewVerdict::ambiguous:
-      return "ambiguous";
-    case TwoViewVerdict::poor_fit:
-      return "poor fit";
-  }
-  return "?";
-}
 
 const char* twoViewModelName(TwoViewModel model) {
   switch (model) {
@@ -187,7 +169,7 @@ TwoViewResult estimateTwoView(const std::vector<Vec2>& x_ref, const std::vector<
   const int tracks = static_cast<int>(x_ref.size());
   out.inlier.assign(x_ref.size(), false);
   out.inv_depth.assign(x_ref.size(), 0.0);
-  out.reason = formatLine("%d tracks < %d", tracks, options.min_tracks);
+  out.reason = fmt::format("{} tracks < {}", tracks, options.min_tracks);
   if (tracks < std::max(8, options.min_tracks)) return out;
 
   const TwoViewData data{x_ref,
@@ -198,11 +180,11 @@ TwoViewResult estimateTwoView(const std::vector<Vec2>& x_ref, const std::vector<
                          options.seed};
   std::vector<double> moved;
   for (int i = 0; i < tracks; ++i) moved.push_back((x_ref[i] - x_cur[i]).norm() * options.focal);
-  out.disparity_px = medianOf(moved);
+  out.disparity_px = upperMedian(moved);
 
   const Eigen::Quaterniond q = fitRotation(data);
   const std::vector<double> e_rotation = rotationErrors(q, data);
-  out.rotation_residual_px = medianOf(e_rotation) * options.focal;
+  out.rotation_residual_px = upperMedian(e_rotation) * options.focal;
   out.gric_rotation = gric(e_rotation, data.sigma, 2, 3);
   const Mat3 H = fitHomography(data);
   out.gric_homography = gric(homographyErrors(H, data), data.sigma, 2, 8);

@@ -21,7 +21,6 @@ enum class TwoViewVerdict {
   ambiguous,  ///< two poses explain the data equally well (a plane seen twice)
   poor_fit,   ///< residuals too large after refinement
 };
-const char* twoViewVerdictName(TwoViewVerdict verdict);
 
 enum class TwoViewModel { none, rotation, homography, essential };
 const char* twoViewModelName(TwoViewModel model);

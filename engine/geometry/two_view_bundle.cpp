@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
 #include "engine/geometry/triangulation.h"
 #include "engine/geometry/two_view_bundle_system.h"
 
@@ -21,10 +22,7 @@ double residualScale(const MultiViewProblem& p, double focal) {
       if (!r.valid) continue;
       for (int a = 0; a < r.rows; ++a) values.push_back(std::abs(r.r[a]));
     }
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return 1.4826 * *middle;
+  return 1.4826 * upperMedian(std::move(values));
 }
 
 /// The scale is free: hold |t| of the last frame at 1.

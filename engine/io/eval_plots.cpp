@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
 #include "engine/figure/line_plot.h"
 #include "engine/figure/system_style.h"
 #include "engine/io/text_output.h"
@@ -88,9 +89,7 @@ std::vector<std::size_t> gapsIn(const std::vector<double>& times, double medians
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
   if (steps.empty()) return {};
-  std::vector<double> sorted = steps;
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  const double limit = medians * sorted[sorted.size() / 2];
+  const double limit = medians * upperMedian(steps);
   std::vector<std::size_t> gaps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i] > limit) gaps.push_back(i + 1);

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/base/quantile.h"
 #include "engine/eval/estimate.h"
 #include "engine/io/frames_csv.h"
 #include "engine/io/map_ply.h"
@@ -123,7 +124,7 @@ RunMetrics RunWriter::metrics(const SnapshotPtr& last, int frames,
   if (!updates_of_converged_.empty()) {
     std::vector<double> updates;
     for (const auto& [id, count] : updates_of_converged_) updates.push_back(count);
-    m.seeds.updates_to_converge_median = percentile(std::move(updates), 0.5);
+    m.seeds.updates_to_converge_median = interpolatedQuantile(std::move(updates), 0.5);
   }
   if (info_.ground_truth.empty()) {
     m.evaluation_note = "the sequence has no ground truth";

@@ -5,8 +5,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 #include "engine/recording/names.h"
+#include "engine/snapshot/frame_fields.h"
 #include "engine/snapshot/snapshot.h"
 
 namespace svoscope {
@@ -21,53 +24,15 @@ Named<T> named(T& value) {
   return {value};
 }
 
-template <typename R, typename F>
-void visitFunnel(R& funnel, F&& f) {
-  f("aligned_sparse", funnel.aligned_sparse);
-  f("candidates", funnel.candidates);
-  f("projected", funnel.projected);
-  f("tried", funnel.tried);
-  f("matched", funnel.matched);
-  f("inliers", funnel.inliers);
-  f("inlier_landmarks", funnel.inlier_landmarks);
-  f("inlier_seeds", funnel.inlier_seeds);
-  f("inlier_edgelets", funnel.inlier_edgelets);
-  f("inlier_segments", funnel.inlier_segments);
-  f("followed_segments", funnel.followed_segments);
-  f("required", funnel.required);
-}
-
+/// The columns of a frame are those of the one list of its fields; its index is the key `frame`.
 template <typename R, typename F>
 void visitRecord(R& r, F&& f) {
-  f("frame", r.index);
-  f("timestamp", r.timestamp);
-  f("state", named(r.state));
-  f("pose_good", r.pose_good);
-  f("map", r.map_id);
-  f("is_keyframe", r.is_keyframe);
-  f("keyframe_id", r.keyframe_id);
-  f("relocalized", r.relocalized);
-  f("reason", r.reason);
-  f("keyframe_reason", r.keyframe_reason);
-  f("", r.T_world_cam);
-  visitFunnel(r.funnel, f);
-  f("align_rmse", r.align_rmse);
-  f("reprojection_px", r.reprojection_px);
-  f("gain", r.gain);
-  f("offset", r.offset);
-  f("median_depth", r.median_depth);
-  f("disparity_tracks", r.disparity_tracks);
-  f("disparity_px", r.disparity_px);
-  f("landmarks", r.landmarks);
-  f("seeds", r.seeds);
-  f("keyframes", r.keyframes);
-  f("seeds_converged", r.seeds_converged);
-  f("seeds_rejected", r.seeds_rejected);
-  f("seed_updates", r.seed_updates);
-  f("segment_updates", r.segment_updates);
-  for (int i = 0; i < kStageCount; ++i)
-    f((std::string("ms_") + stageName(static_cast<Stage>(i))).c_str(),
-      r.time_ms[static_cast<std::size_t>(i)]);
+  visitFrameFields(r, [&](const FrameField& field, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, TrackingState>)
+      f(field.name, named(value));
+    else
+      f(std::string_view(field.name) == "index" ? "frame" : field.name, value);
+  });
 }
 
 template <typename R, typename F>
@@ -157,31 +122,37 @@ void visitPinhole(R& v, F&& f) {
 }
 
 /// What may change in a seed from frame to frame, and what stays; not what follows from its belief
-/// and the poses (engine/snapshot/seed_placement.h).
-template <typename R, typename F>
-void visitSeedState(R& v, F&& f) {
-  f("keyframe_id", v.keyframe_id);
-  f("type", v.type);
-  f("status", v.status);
-  f("ending", v.ending);
-  f("outcome", v.outcome);
-  f("level", v.level);
-  f("direction", v.direction);
-  f("px_ref", v.px_ref);
-  f("mu", v.mu);
-  f("sigma", v.sigma);
-  f("a", v.a);
-  f("b", v.b);
-  for (const FilterRule rule : kRules) f(ruleInfo(rule).id, v.belief[rule]);
-  f("range", v.range);
-  f("updates", v.updates);
-  f("failures", v.failures);
-  f("px_ref_end", v.px_ref_end);
-  f("mu_end", v.mu_end);
-  f("sigma_end", v.sigma_end);
-  f("last_x", v.last_x);
-  f("last_tau", v.last_tau);
-  f("true_inv_distance", v.true_inv_distance);
+/// and the poses (engine/snapshot/seed_placement.h). Calls f(name, field of each of the rows).
+template <typename F, typename... Rows>
+constexpr void visitSeedState(F&& f, Rows&... v) {
+  f("keyframe_id", v.keyframe_id...);
+  f("type", v.type...);
+  f("status", v.status...);
+  f("ending", v.ending...);
+  f("outcome", v.outcome...);
+  f("level", v.level...);
+  f("direction", v.direction...);
+  f("px_ref", v.px_ref...);
+  f("mu", v.mu...);
+  f("sigma", v.sigma...);
+  f("a", v.a...);
+  f("b", v.b...);
+  for (const FilterRule rule : kRules) f(ruleInfo(rule).id, v.belief[rule]...);
+  f("range", v.range...);
+  f("updates", v.updates...);
+  f("failures", v.failures...);
+  f("px_ref_end", v.px_ref_end...);
+  f("mu_end", v.mu_end...);
+  f("sigma_end", v.sigma_end...);
+  f("last_x", v.last_x...);
+  f("last_tau", v.last_tau...);
+  f("true_inv_distance", v.true_inv_distance...);
+}
+
+constexpr int seedStateFields() {
+  int count = 0;
+  visitSeedState([&](const char*) { ++count; });
+  return count;
 }
 
 }  // namespace svoscope

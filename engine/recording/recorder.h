@@ -34,8 +34,6 @@ class Recorder : public RunObserver {
   /// Writes what is waiting and completes the file. Output error if something could not be written;
   /// what was committed before stays readable. Further calls give the same answer.
   Status close();
-  /// False once something could not be written: nothing more will be.
-  bool writing() const { return !failed_; }
 
  private:
   struct ParameterSet {

@@ -38,19 +38,8 @@ void read(ByteReader& in, T& v) {
     in.raw(v);
 }
 
-/// Calls f(bit, field of a, field of b).
-template <typename A, typename F>
-void visitPairs(A& a, const SeedView& b, F&& f) {
-  const void* fields[32];
-  int count = 0;
-  visitSeedState(b, [&](const char*, const auto& field) { fields[count++] = &field; });
-  int i = 0;
-  visitSeedState(a, [&](const char*, auto& field) {
-    using T = std::remove_const_t<std::remove_reference_t<decltype(field)>>;
-    f(std::uint32_t{1} << i, field, *static_cast<const T*>(fields[i]));
-    ++i;
-  });
-}
+using Changed = std::uint32_t;  // a bit for each field that is in the blob
+static_assert(seedStateFields() <= 32, "the mask of changed fields has no more bits");
 
 }  // namespace
 
@@ -85,17 +74,22 @@ void encodeSeeds(const std::vector<SeedView>& seeds, const SeedIndex& before, By
   std::int64_t last_id = 0;
   for (const SeedView& seed : seeds) {
     const SeedView* old = before.find(seed.id);
-    std::uint32_t changed = 0;
-    visitPairs(seed, old ? *old : fresh, [&](std::uint32_t bit, const auto& a, const auto& b) {
-      if (!same(a, b)) changed |= bit;
-    });
+    Changed changed = 0, bit = 1;
+    visitSeedState(
+        [&](const char*, const auto& now, const auto& then) {
+          if (!same(now, then)) changed |= bit;
+          bit <<= 1;
+        },
+        seed, old ? *old : fresh);
     out.integer(seed.id - last_id);
     out.unsignedInteger(changed);
-    std::uint32_t bit = 1;
-    visitSeedState(seed, [&](const char*, const auto& field) {
-      if (changed & bit) write(out, field);
-      bit <<= 1;
-    });
+    bit = 1;
+    visitSeedState(
+        [&](const char*, const auto& field) {
+          if (changed & bit) write(out, field);
+          bit <<= 1;
+        },
+        seed);
     last_id = seed.id;
   }
 }
@@ -112,12 +106,14 @@ bool decodeSeeds(ByteReader& in, const SeedIndex& before, std::vector<SeedView>&
     seeds.push_back(old ? *old : SeedView());
     SeedView& seed = seeds.back();
     seed.id = id;
-    const auto changed = static_cast<std::uint32_t>(in.unsignedInteger());
-    std::uint32_t bit = 1;
-    visitSeedState(seed, [&](const char*, auto& field) {
-      if (changed & bit) read(in, field);
-      bit <<= 1;
-    });
+    const auto changed = static_cast<Changed>(in.unsignedInteger());
+    Changed bit = 1;
+    visitSeedState(
+        [&](const char*, auto& field) {
+          if (changed & bit) read(in, field);
+          bit <<= 1;
+        },
+        seed);
   }
   return in.good() && in.atEnd();
 }

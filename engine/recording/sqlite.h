@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A thin hold on SQLite: a database, and a statement whose parameters are put and whose columns are
-// got one after the other. No exceptions: a call that fails says so, Database::problem() says why.
+// A thin wrapper of SQLite: a database, and a statement whose parameters are put and whose columns
+// are got one after the other. No exceptions: a call that fails says so, Database::problem() says
+// why.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +36,10 @@ class Database {
   std::int64_t integer(const std::string& sql, std::int64_t otherwise = -1);
 
   std::string problem() const;  ///< of the last call that failed
+  /// The last failure: the file is no database, or its pages are wrong.
   bool damaged() const;
   /// The last call failed, for whatever reason.
-  bool failed() const;  ///< the last failure: the file is no database, or its pages are wrong
+  bool failed() const;
   sqlite3* handle() const { return db_; }
 
  private:
@@ -81,7 +83,6 @@ class Query {
   std::string text();
   /// Valid until the next call of next() or reset().
   const unsigned char* blob(std::size_t& size);
-  void skip() { ++column_; }
 
  private:
   sqlite3_stmt* statement_ = nullptr;

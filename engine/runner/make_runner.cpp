@@ -21,6 +21,8 @@ Result<std::unique_ptr<Runner>> makeRunner(std::unique_ptr<Sequence> sequence,
   RunnerOptions options = asked;
   const Status known = applyMethod(options.parameters, asked.method);
   if (!known.ok()) return known.error();
+  const Status bounded = checkParameters(options.parameters);
+  if (!bounded.ok()) return bounded.error();
   if (sequence->size() == 0)
     return inputError("the sequence has no frames", sequence->name(), "check the list of images");
   if (options.start >= sequence->size())

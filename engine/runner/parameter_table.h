@@ -25,6 +25,9 @@ void visitTracking(P& p, F&& f) {
     t.alignment.min_level);
   f(ParameterInfo{"align.max_iterations", "", "Gauss-Newton steps per level", 1, 100},
     t.alignment.max_iterations);
+  f(ParameterInfo{"align.min_step_px", "px", "sparse alignment converged below, level px", 0.0001,
+                  1},
+    t.alignment.min_step_px);
   f(ParameterInfo{"align.estimate_gain", "", "estimate brightness gain and offset of the frame", 0,
                   1},
     t.alignment.estimate_gain);
@@ -56,6 +59,8 @@ void visitTracking(P& p, F&& f) {
     t.pose.max_error_px);
   f(ParameterInfo{"pose.edgelet_sigma", "", "noise of an edgelet relative to a corner", 0.1, 20},
     t.pose.edgelet_sigma);
+  f(ParameterInfo{"pose.min_scale_px", "px", "floor of the robust scale, times 2^level", 0.01, 10},
+    t.pose.min_scale_px);
   f(ParameterInfo{"keyframe.enough_landmarks", "", "no keyframe above", 10, 2000},
     t.keyframe.enough_landmarks);
   f(ParameterInfo{"keyframe.few_landmarks", "", "keyframe at once below", 0, 2000},
@@ -94,6 +99,8 @@ void visitMapping(P& p, F&& f) {
     m.detector.min_corner_score);
   f(ParameterInfo{"detect.min_edge_gradient", "grey/px", "edgelet gradient, 0 for none", 0, 100},
     m.detector.min_edge_gradient);
+  f(ParameterInfo{"detect.border_px", "px", "kept free on every level", 8, 100},
+    m.detector.border_px);
   f(ParameterInfo{"search.sigmas", "", "half width of the epipolar search in standard deviations",
                   0.5, 10},
     m.search.search_sigmas);
@@ -101,6 +108,9 @@ void visitMapping(P& p, F&& f) {
     m.search.step_px);
   f(ParameterInfo{"search.max_samples", "", "samples on a long line", 10, 2000},
     m.search.max_samples);
+  f(ParameterInfo{"search.short_line_px", "px",
+                  "a shorter line is not scanned, the match is aligned from its middle", 0, 20},
+    m.search.short_line_px);
   f(ParameterInfo{"search.max_score", "grey^2", "zero-mean SSD per pixel of an accepted match", 1,
                   20000},
     m.search.max_score);
@@ -157,6 +167,8 @@ void visitAdjustment(P& p, F&& f) {
   f(ParameterInfo{"adjust.outlier_px", "px", "views with a larger error are removed, times 2^level",
                   0.1, 50},
     b.outlier_px);
+  f(ParameterInfo{"adjust.edgelet_sigma", "", "noise of an edgelet relative to a corner", 0.1, 20},
+    b.edgelet_sigma);
   f(ParameterInfo{"adjust.segment_views", "", "of a segment in the window, at least", 2, 20},
     b.segment_views);
   f(ParameterInfo{"adjust.depth_floor", "", "least sigma of a segment seed's depth over the depth",
@@ -180,6 +192,9 @@ void visitQuality(P& p, F&& f) {
   f(ParameterInfo{"quality.relocalized_inliers", "", "inliers that confirm a relocalization", 5,
                   1000},
     t.quality.relocalized_inliers);
+  f(ParameterInfo{"quality.relocalized_fraction", "",
+                  "share of the features tried that confirms a relocalization", 0, 1},
+    t.quality.relocalized_fraction);
   f(ParameterInfo{"quality.relocalized_noise", "",
                   "errors over the usual ones that confirm a relocalization", 1, 100},
     t.quality.relocalized_noise);
@@ -188,19 +203,20 @@ void visitQuality(P& p, F&& f) {
     t.quality.fresh_lost_frames);
   f(ParameterInfo{"quality.lost_frames", "frames", "the same with any other map", 1, 1000000},
     t.quality.lost_frames);
+  f(ParameterInfo{"quality.fresh_map_keyframes", "", "keyframes of a young map at most", 0, 1000},
+    t.quality.fresh_map_keyframes);
   f(ParameterInfo{"quality.structure_iterations", "", "Gauss-Newton steps per landmark and frame",
                   0, 50},
     t.quality.structure_iterations);
   f(ParameterInfo{"relocalize.candidates", "", "keyframes tried per frame", 1, 50},
     t.relocalize.candidates);
-  f(ParameterInfo{"quality.relocalized_fraction", "",
-                  "share of the features tried that confirms a relocalization", 0, 1},
-    t.quality.relocalized_fraction);
   f(ParameterInfo{"relocalize.places", "", "keyframes whose landmarks are matched by descriptors",
                   0, 1000},
     t.relocalize.places);
   f(ParameterInfo{"relocalize.min_similarity", "", "correlation of the small images", -1, 1},
     t.relocalize.min_similarity);
+  f(ParameterInfo{"relocalize.min_patches", "", "visible after alignment to a keyframe", 5, 1000},
+    t.relocalize.min_patches);
 }
 
 template <typename P, typename F>
@@ -278,6 +294,53 @@ void visitSegments(P& p, F&& f) {
     s.max_failures);
 }
 
+/// The two-view start takes them when a run begins.
+template <typename P, typename F>
+void visitStart(P& p, F&& f) {
+  auto& s = p.tracker.start;
+  const auto row = [&](const char* key, const char* unit, const char* meaning, double minimum,
+                       double maximum, auto& field) {
+    f(ParameterInfo{key, unit, meaning, minimum, maximum, true}, field);
+  };
+  row("start.max_tracks", "", "grid cells of a reference frame", 20, 5000, s.max_tracks);
+  row("start.min_tracks", "", "a reference with fewer live tracks is given up", 8, 1000,
+      s.min_tracks);
+  row("start.min_inliers", "", "points of the first map", 8, 1000, s.min_inliers);
+  row("start.min_track_ratio", "", "live tracks over those at the start of a reference", 0, 1,
+      s.min_track_ratio);
+  row("start.renew_track_ratio", "", "below this share of live tracks a further reference begins",
+      0, 1, s.renew_track_ratio);
+  row("start.min_inlier_ratio", "", "of the live tracks", 0.01, 1, s.min_inlier_ratio);
+  row("start.max_references", "", "alive at the same time", 1, 20, s.max_references);
+  row("start.max_age", "frames", "after which a reference is given up", 1, 100000, s.max_age);
+  row("start.min_disparity_px", "px",
+      "median motion before two views are tried; 0: 1.5 % of the image width", 0, 500,
+      s.min_disparity_px);
+  row("start.min_parallax_px", "px", "what the best rotation must leave of the motion, median", 0,
+      100, s.min_parallax_px);
+  row("start.max_rms_px", "px", "of the joint refinement", 0.1, 20, s.max_rms_px);
+  row("start.max_depth_sigma", "", "median relative uncertainty of depth", 0.001, 10,
+      s.max_depth_sigma);
+  row("start.noise_px", "px", "least assumed error of a track", 0.01, 5, s.noise_px);
+  row("start.model_error", "",
+      "error of the camera model (rolling shutter, focal length) over the motion by rotation", 0, 1,
+      s.model_error);
+  row("start.min_frames", "frames", "after the reference: a third view tests the first two", 1, 100,
+      s.min_frames);
+  row("start.max_samples", "", "of each random search over two views", 10, 10000, s.max_samples);
+  row("start.refine_frames", "frames", "refined jointly, the current one included", 1, 50,
+      s.refine_frames);
+  row("start.half_patch", "px", "half side of a track's patch at the three finest levels", 2, 16,
+      s.klt.half_patch);
+  row("start.half_patch_coarse", "px", "the same at coarser levels", 2, 16,
+      s.klt.half_patch_coarse);
+  row("start.max_iterations", "", "of a track per level", 1, 200, s.klt.max_iterations);
+  row("start.min_correlation", "", "of a track with its patch, zero mean and normalised", -1, 1,
+      s.klt.min_correlation);
+  row("start.image_noise", "grey", "weighs where a track is expected against its patch", 0.1, 100,
+      s.klt.image_noise);
+}
+
 template <typename P, typename F>
 void visitParameters(P& p, F&& f) {
   visitTracking(p, f);
@@ -285,6 +348,15 @@ void visitParameters(P& p, F&& f) {
   visitSegments(p, f);
   visitAdjustment(p, f);
   visitQuality(p, f);
+  visitStart(p, f);
+}
+
+/// Fields without a row: calls f(reason, field).
+template <typename P, typename F>
+void visitFixed(P& p, F&& f) {
+  f("the method decides", p.tracker.mapping.filter.rule);
+  f("the method decides", p.tracker.mapping.segments.enabled);
+  f("the tracker sets it for each attempt", p.tracker.reproject.coarser);
 }
 
 }  // namespace svoscope

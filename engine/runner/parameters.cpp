@@ -70,6 +70,14 @@ bool hasParameter(Parameters& parameters, const std::string& key) {
   return found;
 }
 
+template <typename T>
+Status checkBounds(const ParameterInfo& info, const T& value) {
+  const auto number = static_cast<double>(value);
+  if (std::is_same_v<T, bool> || (number >= info.minimum && number <= info.maximum)) return Done{};
+  return usageError(fmt::format("{} is out of bounds", textOf(value)), info.key,
+                    fmt::format("allowed are {} to {} {}", info.minimum, info.maximum, info.unit));
+}
+
 /// A value of a configuration file: its errors are input errors that name the file.
 Status setInFile(Parameters& parameters, const std::string& key, const YAML::Node& value,
                  const std::string& where) {
@@ -93,11 +101,8 @@ Status setParameter(Parameters& parameters, const std::string& key, const std::s
       outcome = usageError(
           fmt::format("'{}' is not a valid {}", value, typeName<std::decay_t<decltype(field)>>()),
           key, is_bool ? "use true or false" : "use a number");
-    } else if (!is_bool && (static_cast<double>(parsed) < info.minimum ||
-                            static_cast<double>(parsed) > info.maximum)) {
-      outcome =
-          usageError(fmt::format("{} is out of bounds", value), key,
-                     fmt::format("allowed are {} to {} {}", info.minimum, info.maximum, info.unit));
+    } else if (Status inside = checkBounds(info, parsed); !inside.ok()) {
+      outcome = std::move(inside);
     } else {
       field = parsed;
       outcome = Status(Done{});
@@ -105,6 +110,14 @@ Status setParameter(Parameters& parameters, const std::string& key, const std::s
   });
   if (outcome) return *outcome;
   return usageError("unknown parameter", key, known(parameters, key));
+}
+
+Status checkParameters(const Parameters& parameters) {
+  Status status = Done{};
+  visitParameters(parameters, [&](const ParameterInfo& info, const auto& field) {
+    if (status.ok()) status = checkBounds(info, field);
+  });
+  return status;
 }
 
 std::vector<ParameterView> listParameters(const Parameters& parameters) {

@@ -21,6 +21,10 @@ struct Parameters {
 /// errors that name the key and what is allowed.
 Status setParameter(Parameters& parameters, const std::string& key, const std::string& value);
 
+/// Ok, or a usage error that names the first parameter that is out of its bounds: values may have
+/// been written into the fields.
+Status checkParameters(const Parameters& parameters);
+
 /// All parameters in the order of the stages.
 std::vector<ParameterView> listParameters(const Parameters& parameters);
 

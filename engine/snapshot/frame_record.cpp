@@ -3,13 +3,6 @@
 
 namespace svoscope {
 
-const char* stageName(Stage stage) {
-  static constexpr const char* kNames[kStageCount] = {
-      "read",      "rectify",  "pyramid",    "initialize", "sparse_align", "reproject", "pose",
-      "structure", "keyframe", "relocalize", "tracking",   "mapping",      "snapshot"};
-  return kNames[static_cast<int>(stage)];
-}
-
 const char* stateName(TrackingState state) {
   switch (state) {
     case TrackingState::initializing:

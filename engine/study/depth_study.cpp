@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
 #include "engine/frame/rectifier.h"
 #include "engine/study/depth_study_judge.h"
 #include "engine/study/rule_variants.h"
@@ -125,7 +126,8 @@ class Study {
     }
     if (features.empty()) return;
     // The prior of a new seed, as a tracker that knows the scene's depth range would set it.
-    const double median = *quantileOf(depths, 0.5), near = *quantileOf(depths, 0.05);
+    const double median = *interpolatedQuantile(depths, 0.5),
+                 near = *interpolatedQuantile(depths, 0.05);
     StudyKeyframe keyframe{view, {}};
     for (const MappingParameters& p : parameters_) {
       keyframe.seeds.emplace_back();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
+
 namespace svoscope {
 
 namespace {
@@ -42,11 +44,12 @@ void judgeMeasurements(const std::vector<StudySeed>& seeds, DepthStudyRow& row) 
   }
   row.measurements = static_cast<int>(all.size());
   if (row.measurements > 0) row.outlier_share = static_cast<double>(outliers) / row.measurements;
-  row.median_measurement_nees = quantileOf(std::move(all), 0.5);
+  row.median_measurement_nees = interpolatedQuantile(std::move(all), 0.5);
 }
 
 void judgeAccepted(std::vector<double> accepted_nees, DepthStudyRow& row) {
-  for (const double q : kErrorQuantiles) row.error_quantiles.push_back(quantileOf(row.errors, q));
+  for (const double q : kErrorQuantiles)
+    row.error_quantiles.push_back(interpolatedQuantile(row.errors, q));
   std::sort(row.errors.begin(), row.errors.end());
   std::sort(row.normalised_errors.begin(), row.normalised_errors.end());
   if (!accepted_nees.empty()) {
@@ -54,7 +57,7 @@ void judgeAccepted(std::vector<double> accepted_nees, DepthStudyRow& row) {
                                       [](double v) { return v < kChi2Of95; });
     row.nees_inside_95 = static_cast<double>(inside) / static_cast<double>(accepted_nees.size());
   }
-  row.median_nees = quantileOf(std::move(accepted_nees), 0.5);
+  row.median_nees = interpolatedQuantile(std::move(accepted_nees), 0.5);
 }
 
 }  // namespace
@@ -96,7 +99,7 @@ DepthStudyRow judgeSeeds(const std::string& rule, const std::vector<StudySeed>& 
     row.normalised_errors.push_back(std::sqrt(nees(s)));
   }
   row.recall = static_cast<double>(row.accepted - row.accepted_wrong) / std::max(1, row.seeds);
-  row.median_updates = quantileOf(std::move(updates), 0.5);
+  row.median_updates = interpolatedQuantile(std::move(updates), 0.5);
   row.sweep = sweepGate(verdicts);
   row.wrong_at_80 = wrongAtRecall(verdicts, 0.8);
   row.wrong_at_60 = wrongAtRecall(verdicts, 0.6);

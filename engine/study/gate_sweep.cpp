@@ -39,13 +39,4 @@ std::optional<double> wrongAtRecall(const std::vector<SeedVerdict>& seeds, doubl
   return std::nullopt;
 }
 
-std::optional<double> quantileOf(std::vector<double> values, double q) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const double at = q * static_cast<double>(values.size() - 1);
-  const auto i = static_cast<std::size_t>(at);
-  const double next = values[std::min(i + 1, values.size() - 1)];
-  return values[i] + (at - std::floor(at)) * (next - values[i]);
-}
-
 }  // namespace svoscope

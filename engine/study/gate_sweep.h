@@ -28,7 +28,4 @@ std::vector<GatePoint> sweepGate(const std::vector<SeedVerdict>& seeds);
 /// Wrong fraction at the strictest gate with at least this recall; none if no gate has it.
 std::optional<double> wrongAtRecall(const std::vector<SeedVerdict>& seeds, double recall);
 
-/// Quantile by linear interpolation between order statistics; none of nothing.
-std::optional<double> quantileOf(std::vector<double> values, double q);
-
 }  // namespace svoscope

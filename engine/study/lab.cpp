@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/base/quantile.h"
 #include "engine/mapping/divergence.h"
 #include "engine/study/rule_variants.h"
 
@@ -81,8 +82,8 @@ class Simulation {
       converged += s.converged_at > 0;
     }
     const double n = std::max<double>(1, static_cast<double>(errors.size()));
-    return {t, quantileOf(std::move(errors), 0.5).value_or(0),
-            quantileOf(std::move(sigmas), 0.5).value_or(0), converged / n};
+    return {t, interpolatedQuantile(std::move(errors), 0.5).value_or(0),
+            interpolatedQuantile(std::move(sigmas), 0.5).value_or(0), converged / n};
   }
 
   void judge(LabRow& row) const {
@@ -102,10 +103,10 @@ class Simulation {
       right_errors.push_back(s.relativeError());
       nees.push_back(s.error() * s.error() / s.belief.sigma2);
     }
-    row.median_updates = quantileOf(std::move(updates), 0.5);
-    row.median_relative_error = quantileOf(std::move(right_errors), 0.5);
-    row.p90_relative_error = quantileOf(std::move(errors), 0.9);
-    row.median_nees = quantileOf(std::move(nees), 0.5);
+    row.median_updates = interpolatedQuantile(std::move(updates), 0.5);
+    row.median_relative_error = interpolatedQuantile(std::move(right_errors), 0.5);
+    row.p90_relative_error = interpolatedQuantile(std::move(errors), 0.9);
+    row.median_nees = interpolatedQuantile(std::move(nees), 0.5);
     row.wrong_at_80 = wrongAtRecall(verdicts, 0.8);
     row.wrong_at_60 = wrongAtRecall(verdicts, 0.6);
     row.converged = static_cast<double>(converged) / std::max(1, o_.seeds);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/tracking/initializer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/two_view_support.h"
+#include "engine/base/quantile.h"
 #include "engine/tracking/initializer_solve.h"
 
 namespace svoscope {
@@ -46,21 +48,6 @@ void fillSuccess(const InitializerReference& reference, const StartSolution& sol
 }
 
 }  // namespace
-
-Status InitializerParameters::check() const {
-  const auto bad = [](const char* name, const char* remedy) {
-    return usageError("value out of range", std::string("initializer.") + name, remedy);
-  };
-  if (max_tracks < 20) return bad("max_tracks", "at least 20");
-  if (min_tracks < 8) return bad("min_tracks", "at least 8");
-  if (min_inliers < 8) return bad("min_inliers", "at least 8");
-  if (max_references < 1) return bad("max_references", "at least 1");
-  if (refine_frames < 1) return bad("refine_frames", "at least 1");
-  if (!(min_inlier_ratio > 0 && min_inlier_ratio <= 1)) return bad("min_inlier_ratio", "in (0, 1]");
-  if (!(max_depth_sigma > 0)) return bad("max_depth_sigma", "above 0");
-  if (klt.half_patch < 2 || klt.half_patch > 16) return bad("klt.half_patch", "2 to 16");
-  return Done{};
-}
 
 Initializer::Initializer(const Pinhole& camera, const InitializerParameters& parameters)
     : camera_(camera), parameters_(parameters) {
@@ -140,10 +127,10 @@ void Initializer::fillTracks(InitializerOutput& out) const {
     if (t.alive) out.tracks.push_back({t.id, t.feature.type, t.feature.px, t.px});
   if (!out.reason.empty()) return;
   if (shown.alive() < parameters_.min_tracks)
-    out.reason = formatLine("%d features < %d", shown.alive(), parameters_.min_tracks);
+    out.reason = fmt::format("{} features < {}", shown.alive(), parameters_.min_tracks);
   else
-    out.reason = formatLine("%d tracks, median disparity %.1f px < %.1f px", shown.alive(),
-                            shown.disparity(), parameters_.min_disparity_px);
+    out.reason = fmt::format("{} tracks, median disparity {:.1f} px < {:.1f} px", shown.alive(),
+                             shown.disparity(), parameters_.min_disparity_px);
 }
 
 }  // namespace svoscope

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantile.h"
 #include "engine/geometry/triangulation.h"
-#include "engine/geometry/two_view_support.h"
 
 namespace svoscope {
 
@@ -59,7 +59,7 @@ SE3 poseFromPoints(const MultiViewProblem& points, const std::vector<Vec2>& x, c
 bool dropPoints(JointStart& joint, double limit_px) {
   MultiViewProblem& p = joint.problem;
   std::size_t kept = 0;
-  const double typical = medianOf(p.inv_depth);
+  const double typical = upperMedian(p.inv_depth);
   for (std::size_t i = 0; i < p.x_ref.size(); ++i) {
     const bool keep = joint.summary.point_px[i] < limit_px && p.inv_depth[i] > -0.05 * typical;
     if (!keep) continue;

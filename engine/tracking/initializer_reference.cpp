@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/geometry/two_view_support.h"
+#include "engine/base/quantile.h"
 #include "engine/tracking/initializer.h"
 
 namespace svoscope {
@@ -31,7 +31,7 @@ Vec2 neighbourMotion(const std::vector<StartTrack>& tracks, const StartTrack& of
     x.push_back(near[i].second.x());
     y.push_back(near[i].second.y());
   }
-  return {medianOf(x), medianOf(y)};
+  return {upperMedian(x), upperMedian(y)};
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ void InitializerReference::record(const InitializerFrame& frame) {
     if (t.alive) moved.push_back((t.px - t.feature.px).norm());
   }
   alive_ = static_cast<int>(moved.size());
-  out.disparity_px = medianOf(moved);
+  out.disparity_px = upperMedian(moved);
   frames_.push_back(std::move(out));
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/tracking/initializer_solve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/two_view_support.h"
+#include "engine/base/quantile.h"
 #include "engine/tracking/initializer_joint.h"
 
 namespace svoscope {
@@ -22,7 +24,7 @@ void fillSolution(const InitializerReference& reference, const Pinhole& camera, 
   std::vector<double> depths;
   for (double d : p.inv_depth)
     if (d > 0) depths.push_back(1 / d);
-  const double scale = 1 / medianOf(depths);
+  const double scale = 1 / upperMedian(depths);
   for (double& d : p.inv_depth) d /= scale;
   for (SE3& T : p.T_frame_ref) T = SE3(T.quaternion(), T.translation() * scale);
   for (std::size_t i = 0; i < joint.tracks.size(); ++i)
@@ -37,19 +39,20 @@ void judge(const JointStart& joint, const InitializerParameters& o, int live, St
       std::max(o.min_inliers, static_cast<int>(std::ceil(o.min_inlier_ratio * live)));
   if (points < wanted) {
     out.verdict = TwoViewVerdict::too_few_inliers;
-    out.reason = formatLine("%d points of %d tracks fit, %d needed", points, live, wanted);
+    out.reason = fmt::format("{} points of {} tracks fit, {} needed", points, live, wanted);
   } else if (!joint.summary.converged || out.rms_px > o.max_rms_px) {
     out.verdict = TwoViewVerdict::poor_fit;
     out.reason =
-        formatLine("rms %.2f px > %.2f px over the frames between", out.rms_px, o.max_rms_px);
+        fmt::format("rms {:.2f} px > {:.2f} px over the frames between", out.rms_px, o.max_rms_px);
   } else if (!(out.depth_sigma < o.max_depth_sigma)) {
     out.verdict = TwoViewVerdict::low_parallax;
-    out.reason = formatLine("depths uncertain by %.1f %% > %.1f %%", 100 * out.depth_sigma,
-                            100 * o.max_depth_sigma);
+    out.reason = fmt::format("depths uncertain by {:.1f} % > {:.1f} %", 100 * out.depth_sigma,
+                             100 * o.max_depth_sigma);
   } else {
     out.verdict = TwoViewVerdict::ok;
-    out.reason = formatLine("%s start: %d points, rms %.2f px, depths to %.1f %%",
-                            twoViewModelName(out.model), points, out.rms_px, 100 * out.depth_sigma);
+    out.reason =
+        fmt::format("{} start: {} points, rms {:.2f} px, depths to {:.1f} %",
+                    twoViewModelName(out.model), points, out.rms_px, 100 * out.depth_sigma);
   }
 }
 
@@ -63,8 +66,8 @@ double depthSigma(JointStart& joint, const Pinhole& camera, const InitializerPar
   // A wrong lens or a rolling shutter bends the image in step with its rotation, and the fit
   // takes that for translation without leaving residuals.
   const double sigma_px = std::hypot(std::max(o.noise_px, 2 * joint.summary.scale_px),
-                                     o.model_error * medianOf(turned));
-  const double floor = medianOf(joint.problem.inv_depth) / 3;
+                                     o.model_error * upperMedian(turned));
+  const double floor = upperMedian(joint.problem.inv_depth) / 3;
   std::vector<double> relative;
   for (std::size_t i = 0; i < joint.tracks.size(); ++i) {
     double& sigma = joint.summary.sigma_inv_depth[i];
@@ -72,7 +75,7 @@ double depthSigma(JointStart& joint, const Pinhole& camera, const InitializerPar
     sigma *= sigma_px * std::sqrt(static_cast<double>(joint.frames.size()));
     relative.push_back(sigma / std::max(joint.problem.inv_depth[i], floor));
   }
-  return medianOf(relative);
+  return upperMedian(relative);
 }
 
 TwoViewResult solveTwoView(const InitializerReference& reference, const Pinhole& camera,
@@ -141,13 +144,13 @@ StartSolution solveStart(const InitializerReference& reference, const Pinhole& c
   JointStart& best = joints.front();
   if (best.tracks.size() < 8) {
     out.verdict = TwoViewVerdict::too_few_inliers;
-    out.reason = formatLine("%d points fit all frames", static_cast<int>(best.tracks.size()));
+    out.reason = fmt::format("{} points fit all frames", static_cast<int>(best.tracks.size()));
     return out;
   }
   if (const JointStart* other = rival(joints)) {
     out.verdict = TwoViewVerdict::ambiguous;
-    out.reason = formatLine("two explanations fit alike: %.2f and %.2f px^2", best.mean_cost,
-                            other->mean_cost);
+    out.reason = fmt::format("two explanations fit alike: {:.2f} and {:.2f} px^2", best.mean_cost,
+                             other->mean_cost);
     return out;
   }
   out.rms_px = rmsOf(best.summary);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/quantile.h"
 #include "engine/tracking/sparse_alignment.h"
 
 namespace svoscope {
@@ -55,13 +56,6 @@ double lengthOf(const Residual& r, const Mat2& information) {
   return std::sqrt(r.e.dot(information * r.e));
 }
 
-double medianOf(std::vector<double> v) {
-  if (v.empty()) return 0;
-  auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
-
 double robustScale(const Pinhole& camera, const std::vector<PoseObservation>& observations,
                    const SE3& T, const PoseRefinementParameters& p) {
   std::vector<double> errors;
@@ -69,7 +63,7 @@ double robustScale(const Pinhole& camera, const std::vector<PoseObservation>& ob
     const Residual r = residualOf(camera, o, T);
     if (r.valid) errors.push_back(lengthOf(r, informationOf(o, sigmaOf(o, p))));
   }
-  return std::max(p.min_scale_px, 1.48 * medianOf(std::move(errors)));
+  return std::max(p.min_scale_px, 1.48 * upperMedian(std::move(errors)));
 }
 
 double tukeyWeight(double x) {
@@ -119,7 +113,7 @@ void classify(const Pinhole& camera, const std::vector<PoseObservation>& observa
     if (result.inlier[i]) inlier_errors.push_back(e);
   }
   result.inliers = static_cast<int>(inlier_errors.size());
-  result.median_px = medianOf(std::move(inlier_errors));
+  result.median_px = upperMedian(std::move(inlier_errors));
 }
 
 void classifySegments(const Pinhole& camera, const std::vector<SegmentPoseObservation>& segments,

@@ -98,7 +98,8 @@ void Tracker::requestSeeds(const Keyframe& keyframe) {
   job_.emplace();
   job_->new_seeds.wanted = true;
   job_->new_seeds.keyframe_id = keyframe.id;
-  job_->new_seeds.occupied = occupied_;
+  job_->new_seeds.occupied =
+      occupied_.withCells(scaledCell(parameters_.mapping.detector.cell_px, map_.camera.width));
   job_->new_seeds.median_depth = keyframe.median_depth;
   job_->new_seeds.min_depth = keyframe.min_depth;
   job_->new_seeds.scale = keyframe.scale;

@@ -62,7 +62,7 @@ inline std::vector<std::string> textOf(const Snapshot& s) {
   for (const SeedView& v : *s.seeds) {
     line("seed", [&](TextColumns& c) {
       c("id", v.id);
-      visitSeedState(v, c);
+      visitSeedState(c, v);
       c("visible", v.visible);
       for (const Vec2f& px : {v.px, v.px_near, v.px_far}) c("px", px);
       for (const Vec3f& p : {v.position, v.position_end, v.position_near, v.position_far})

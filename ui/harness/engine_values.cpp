@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/eval/run_metrics.h"
+#include "engine/snapshot/frame_fields.h"
 #include "ui/model/truth.h"
 
 namespace svoscope::ui {
@@ -48,20 +49,6 @@ ScriptValue truthValue(const Now& now, double TruthState::*value) {
 
 const Named kValues[] = {
     {"frame", [](const Now& n) { return number(n.record.index); }},
-    {"state", [](const Now& n) { return ScriptValue(std::string(stateName(n.record.state))); }},
-    {"reason", [](const Now& n) { return ScriptValue(n.record.reason); }},
-    {"pose_good", [](const Now& n) { return number(n.record.pose_good); }},
-    {"is_keyframe", [](const Now& n) { return number(n.record.is_keyframe); }},
-    {"candidates", [](const Now& n) { return number(n.record.funnel.candidates); }},
-    {"projected", [](const Now& n) { return number(n.record.funnel.projected); }},
-    {"matched", [](const Now& n) { return number(n.record.funnel.matched); }},
-    {"inliers", [](const Now& n) { return number(n.record.funnel.inliers); }},
-    {"required", [](const Now& n) { return number(n.record.funnel.required); }},
-    {"reprojection_px", [](const Now& n) { return number(n.record.reprojection_px); }},
-    {"landmarks", [](const Now& n) { return number(n.record.landmarks); }},
-    {"seeds", [](const Now& n) { return number(n.record.seeds); }},
-    {"seeds_converged", [](const Now& n) { return number(n.record.seeds_converged); }},
-    {"keyframes", [](const Now& n) { return number(n.record.keyframes); }},
     {"next_frame", [](const Now& n) { return number(n.runner.status().next_frame); }},
     {"playing", [](const Now& n) { return number(n.runner.status().playing); }},
     {"finished", [](const Now& n) { return number(n.runner.status().finished); }},
@@ -85,6 +72,24 @@ const Named kValues[] = {
            countOf(n, [](const FrameRecord& r) { return r.state == TrackingState::lost; }));
      }}};
 
+template <typename T>
+ScriptValue scriptValue(const T& value) {
+  if constexpr (std::is_same_v<T, TrackingState>)
+    return std::string(stateName(value));
+  else if constexpr (std::is_same_v<T, std::string>)
+    return value;
+  else
+    return static_cast<double>(value);
+}
+
+/// Calls f(name, field) for every field of the record but its pose.
+template <typename F>
+void visitValues(const FrameRecord& record, F&& f) {
+  visitFrameFields(record, [&](const FrameField& field, const auto& value) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, SE3>) f(field.name, value);
+  });
+}
+
 FrameRecord recordOf(const Runner& runner, int frame) {
   const std::vector<FrameRecord> records = runner.records(0);
   const auto found = std::find_if(records.rbegin(), records.rend(),
@@ -98,12 +103,17 @@ std::optional<ScriptValue> engineValue(const Runner& runner, int frame, const st
   for (const Named& known : kValues) {
     if (name == known.name) return known.value({runner, recordOf(runner, frame)});
   }
-  return std::nullopt;
+  std::optional<ScriptValue> found;
+  visitValues(recordOf(runner, frame), [&](const char* field, const auto& value) {
+    if (name == field) found = scriptValue(value);
+  });
+  return found;
 }
 
 std::string engineValueNames() {
   std::string names;
   for (const Named& known : kValues) names += std::string(known.name) + ", ";
+  visitValues({}, [&](const char* field, const auto&) { names += std::string(field) + ", "; });
   return names + "labels, width, height";
 }
 

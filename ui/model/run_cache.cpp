@@ -2,49 +2,43 @@
 #include "ui/model/run_cache.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "engine/snapshot/frame_fields.h"
 #include "ui/palette.h"
 
 namespace svoscope::ui {
 
 namespace {
 
-using R = FrameRecord;
-
-double goodOnly(const R& r, double value) { return r.pose_good ? value : NAN; }
+const std::vector<std::size_t>& seriesFields() {
+  static const std::vector<std::size_t> fields = [] {
+    std::vector<std::size_t> places;
+    for (const SeriesInfo& s : seriesTable()) places.push_back(frameFieldIndex(s.field).value());
+    return places;
+  }();
+  return fields;
+}
 
 }  // namespace
 
 const std::vector<SeriesInfo>& seriesTable() {
   static const std::vector<SeriesInfo> table{
-      {"Features", "Matched", okabe::grey, true, [](const R& r) { return 1.0 * r.funnel.matched; }},
-      {"Features", "Inliers", okabe::green, false,
-       [](const R& r) { return 1.0 * r.funnel.inliers; }},
-      {"Features", "of these seeds", okabe::sky, false,
-       [](const R& r) { return 1.0 * r.funnel.inlier_seeds; }},
-      {"Features", "of these edgelets", okabe::purple, true,
-       [](const R& r) { return 1.0 * r.funnel.inlier_edgelets; }},
-      {"Time", "Tracking", okabe::sky, false, [](const R& r) { return r.ms(Stage::tracking); }},
-      {"Time", "Mapping", okabe::purple, true, [](const R& r) { return r.ms(Stage::mapping); }},
-      {"Map", "Landmarks", okabe::green, false, [](const R& r) { return 1.0 * r.landmarks; }},
-      {"Map", "Seeds", okabe::orange, true, [](const R& r) { return 1.0 * r.seeds; }},
-      {"Seed updates", "Updates", okabe::grey, true,
-       [](const R& r) { return 1.0 * r.seed_updates; }},
-      {"Seed updates", "Converged", okabe::sky, false,
-       [](const R& r) { return 1.0 * r.seeds_converged; }},
-      {"Seed updates", "Rejected", okabe::vermillion, true,
-       [](const R& r) { return 1.0 * r.seeds_rejected; }},
-      {"Residual", "Reprojection median", okabe::orange, false,
-       [](const R& r) { return goodOnly(r, r.reprojection_px); }},
-      {"Alignment", "Sparse alignment RMSE", okabe::yellow, false,
-       [](const R& r) { return goodOnly(r, r.align_rmse); }},
-      {"Depth", "Median depth", okabe::purple, false,
-       [](const R& r) { return goodOnly(r, r.median_depth); }},
-      {"Brightness", "Gain", okabe::yellow, false,
-       [](const R& r) { return r.funnel.aligned_sparse > 0 ? r.gain : NAN; }},
-      {"Disparity", "Median disparity", okabe::yellow, false,
-       [](const R& r) { return r.disparity_tracks > 0 ? r.disparity_px : NAN; }},
+      {"Features", "Matched", okabe::grey, true, "matched"},
+      {"Features", "Inliers", okabe::green, false, "inliers"},
+      {"Features", "of these seeds", okabe::sky, false, "inlier_seeds"},
+      {"Features", "of these edgelets", okabe::purple, true, "inlier_edgelets"},
+      {"Time", "Tracking", okabe::sky, false, "ms_tracking"},
+      {"Time", "Mapping", okabe::purple, true, "ms_mapping"},
+      {"Map", "Landmarks", okabe::green, false, "landmarks"},
+      {"Map", "Seeds", okabe::orange, true, "seeds"},
+      {"Seed updates", "Updates", okabe::grey, true, "seed_updates"},
+      {"Seed updates", "Converged", okabe::sky, false, "seeds_converged"},
+      {"Seed updates", "Rejected", okabe::vermillion, true, "seeds_rejected"},
+      {"Residual", "Reprojection median", okabe::orange, false, "reprojection_px"},
+      {"Alignment", "Sparse alignment RMSE", okabe::yellow, false, "align_rmse"},
+      {"Depth", "Median depth", okabe::purple, false, "median_depth"},
+      {"Brightness", "Gain", okabe::yellow, false, "gain"},
+      {"Disparity", "Median disparity", okabe::yellow, false, "disparity_px"},
   };
   return table;
 }
@@ -87,9 +81,9 @@ bool RunCache::update(const Runner& runner) {
 void RunCache::append(const FrameRecord& record) {
   records_.push_back(record);
   frames_.push_back(static_cast<float>(record.index));
-  const auto& table = seriesTable();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    columns_[i].push_back(static_cast<float>(table[i].value(record)));
+  const std::vector<double> numbers = frameNumbers(record);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    columns_[i].push_back(static_cast<float>(numbers[seriesFields()[i]]));
   }
   for (int s = 0; s < kStageCount; ++s) {
     stages_[s].push_back(static_cast<float>(record.time_ms[s]));

@@ -18,7 +18,7 @@ struct SeriesInfo {
   const char* label;
   ImU32 color;
   bool dashed;
-  double (*value)(const FrameRecord&);
+  const char* field;  ///< of the record (engine/snapshot/frame_fields.h)
 };
 const std::vector<SeriesInfo>& seriesTable();
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/export.h"
 
-#include <cmath>
-
 #include "engine/eval/estimate.h"
+#include "engine/io/frames_csv.h"
 #include "ui/widgets/controls.h"
 
 namespace svoscope::ui {
@@ -22,20 +21,8 @@ std::string trajectoryText(const std::vector<FrameRecord>& records) {
 }
 
 std::string framesCsv(const RunCache& run) {
-  std::string text = "frame,timestamp,state,keyframe";
-  for (const SeriesInfo& s : seriesTable()) text += std::string(",") + s.group + ": " + s.label;
-  for (int s = 0; s < kStageCount; ++s) text += format(",%s ms", stageName(static_cast<Stage>(s)));
-  text += "\n";
-  for (std::size_t i = 0; i < run.records().size(); ++i) {
-    const FrameRecord& r = run.records()[i];
-    text += format("%d,%.6f,%s,%d", r.index, r.timestamp, stateName(r.state), r.is_keyframe);
-    for (std::size_t s = 0; s < seriesTable().size(); ++s) {
-      const float v = run.column(s)[i];
-      text += std::isfinite(v) ? format(",%g", v) : ",";
-    }
-    for (const double ms : r.time_ms) text += format(",%.3f", ms);
-    text += "\n";
-  }
+  std::string text = framesCsvHeader() + "\n";
+  for (const FrameRecord& record : run.records()) text += framesCsvRow(record) + "\n";
   return text;
 }
 

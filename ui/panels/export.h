@@ -11,7 +11,7 @@ namespace svoscope::ui {
 
 /// TUM format: timestamp tx ty tz qx qy qz qw, frames with a good pose.
 std::string trajectoryText(const std::vector<FrameRecord>& records);
-/// One row per frame with every series that can be plotted and every stage's time.
+/// The frames.csv of a run: every field of every frame.
 std::string framesCsv(const RunCache& run);
 
 }  // namespace svoscope::ui

@@ -153,6 +153,22 @@ TEST(OpenSequence, UnknownThingsListTheKnownKinds) {
   EXPECT_THAT(openingError("synthetic:nothing"), HasSubstr("presets are room"));
 }
 
+TEST(OpenSequence, TheRemedyNamesEveryLayout) {
+  EXPECT_THAT(openingError("/nonexistent"),
+              HasSubstr("a sequence is synthetic:PRESET, a folder with rgb.txt (TUM RGB-D), mav0/ "
+                        "(EuRoC/ASL), image_0/ (KITTI odometry) or images and camera.yaml, or a "
+                        "video with its calibration beside"));
+}
+
+TEST(OpenSequence, APartOfALayoutIsToldWhatIsMissing) {
+  TemporaryFolder folder;
+  writeTinyImage(folder / "rgb/1.png", 60);
+  EXPECT_THAT(openingError(folder.path()), HasSubstr("rgb.txt is missing"));
+  writeTinyImage(folder / "1.png", 60);
+  EXPECT_THAT(openingError(folder.path()), HasSubstr("camera.yaml"))
+      << "now it is a folder of images";
+}
+
 TEST(OpenSequence, RealSequencesOpen) {
   SVOSCOPE_SKIP_WITHOUT_DATA(data);
   for (const auto& item : std::filesystem::directory_iterator(*data)) {

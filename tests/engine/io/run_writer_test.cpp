@@ -196,12 +196,5 @@ TEST(RunMetrics, LossesAreCountedOncePerRow) {
   EXPECT_EQ(metrics.relocalisations, 1);
 }
 
-TEST(Percentile, InterpolatesBetweenNeighbours) {
-  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(percentile({1, 2, 3}, 0.95), 2.9);
-  EXPECT_DOUBLE_EQ(percentile({7}, 0.95), 7);
-  EXPECT_DOUBLE_EQ(percentile({}, 0.5), 0);
-}
-
 }  // namespace
 }  // namespace svoscope

@@ -7,6 +7,8 @@
 
 #include <set>
 
+#include "engine/runner/make_runner.h"
+#include "tests/support/memory_sequence.h"
 #include "tests/support/support.h"
 
 namespace svoscope {
@@ -117,11 +119,25 @@ TEST(Parameters, YamlNamesEachGroupOnce) {
   EXPECT_EQ(values, listParameters({}).size());
 }
 
-TEST(Parameters, EveryKeyIsInTheDocs) {
-  const std::string page =
-      test::readText(std::filesystem::path(SVOSCOPE_SOURCE_DIR) / "docs/parameters.md");
+TEST(Parameters, ValuesOutOfBoundsAreFoundInTheFields) {
+  Parameters parameters;
+  EXPECT_TRUE(checkParameters(parameters).ok());
+  parameters.tracker.start.min_tracks = 2;
+  const Status status = checkParameters(parameters);
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error().message(), HasSubstr("start.min_tracks"));
+  EXPECT_EQ(status.error().kind, ErrorKind::usage);
+  RunnerOptions options;
+  options.parameters = parameters;
+  const auto made = makeRunner(test::openBuiltIn("synthetic:room?size=160x120&frames=2"), options);
+  ASSERT_FALSE(made.ok());
+  EXPECT_THAT(made.error().message(), HasSubstr("start.min_tracks"));
+  EXPECT_THAT(errorOf("start.half_patch", "17"), HasSubstr("allowed are 2 to 16"));
+}
+
+TEST(Parameters, ThoseOfTheStartNeedAReset) {
   for (const ParameterView& view : listParameters({}))
-    EXPECT_NE(page.find("| `" + view.key + "` |"), std::string::npos) << view.key;
+    EXPECT_EQ(view.needs_reset, view.key.rfind("start.", 0) == 0) << view.key;
 }
 
 TEST(Parameters, FilesMaySetAFew) {

@@ -159,13 +159,5 @@ TEST(Initializer, RunsAreBitIdentical) {
   for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i].p_ref, b.points[i].p_ref);
 }
 
-TEST(Initializer, ParametersOutOfRangeAreNamed) {
-  InitializerParameters parameters;
-  EXPECT_TRUE(parameters.check().ok());
-  parameters.min_tracks = 2;
-  ASSERT_FALSE(parameters.check().ok());
-  EXPECT_THAT(parameters.check().error().message(), testing::HasSubstr("min_tracks"));
-}
-
 }  // namespace
 }  // namespace svoscope
