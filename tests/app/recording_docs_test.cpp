@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "engine/base/rules.h"
 #include "engine/recording/sqlite.h"
 #include "tests/support/program.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/mapping/divergence.h"
 #include "engine/mapping/seed_update.h"
 
 namespace svoscope {

@@ -48,12 +48,14 @@ TEST(Columns, EveryRuleHasItsOwnBeforeAndAfter) {
 
 TEST(Columns, OfSeedStatesKeepTheirOrder) {
   std::string names;
-  visitSeedState(SeedView(), [&](const std::string& name, const auto&) {
+  const auto note = [&](const std::string& name, const auto&) {
     for (std::size_t i = 2; i < kRuleCount; ++i) {
       if (name == kRuleTable[i].id) return;
     }
     names += (names.empty() ? "" : ", ") + name;
-  });
+  };
+  const SeedView seed;
+  visitSeedState(note, seed);
   EXPECT_EQ(
       names,
       "keyframe_id, type, status, ending, outcome, level, direction, px_ref, mu, sigma, a, b, "

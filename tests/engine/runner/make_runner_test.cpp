@@ -24,7 +24,7 @@ TEST(ApplyMethod, SaysWhichMethodsThereAre) {
   EXPECT_EQ(status.error().what, "method 'orb' is not available");
   EXPECT_EQ(status.error().where, "--method");
   EXPECT_EQ(status.error().remedy, "use " + methodList());
-  if (kMethods.size() == 3) EXPECT_EQ(methodList(), "svo, pl-svo or it-svo");
+  EXPECT_EQ(methodList().rfind("svo, pl-svo", 0), 0u) << methodList();
   EXPECT_FALSE(applyMethod(parameters, "").ok());
   EXPECT_FALSE(applyMethod(parameters, "SVO").ok());
 }

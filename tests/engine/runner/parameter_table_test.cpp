@@ -54,8 +54,9 @@ TEST(ParameterTable, EveryFieldHasARowOrAReason) {
   expectCovered(p, "DetectorParameters", m.detector);
   expectCovered(p, "EpipolarParameters", m.search);
   expectCovered(p, "FeatureAlignmentParameters", m.alignment);
-  expectCovered(p, "DepthFilterParameters", m.filter, m.filter.js);
-  expectCovered(p, "JsSwitches", m.filter.js);
+  expectCovered(p, "DepthFilterParameters", m.filter, m.filter.rules);
+  expectCovered(p, "RuleSettings", m.filter.rules, m.filter.rules.js);
+  expectCovered(p, "JsSwitches", m.filter.rules.js);
   expectCovered(p, "SegmentParameters", m.segments, m.segments.detector);
   expectCovered(p, "SegmentDetectorParameters", m.segments.detector);
   expectCovered(p, "LocalAdjustmentParameters", m.local_ba);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/mapping/divergence.h"
 #include "engine/mapping/seed_update.h"
 #include "engine/runner/make_runner.h"
 

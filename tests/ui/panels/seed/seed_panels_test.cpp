@@ -216,17 +216,17 @@ TEST(FilterStats, CalibratedGaussiansLieOnTheDiagonal) {
       (std::erf((lo + hi) / 2 / M_SQRT2) / 2 + 0.5 < q ? lo : hi) = (lo + hi) / 2;
     UpdatePoint p;
     p.true_inv_distance = 0.5f;
-    p.mu[0] = p.mu[1] = static_cast<float>(1 + 0.01 * lo);
-    p.sigma[0] = 0.01f;
-    p.sigma[1] = 0.005f;  // too sure by a factor of two
+    p.mu[FilterRule::kl] = p.mu[FilterRule::js] = static_cast<float>(1 + 0.01 * lo);
+    p.sigma[FilterRule::kl] = 0.01f;
+    p.sigma[FilterRule::js] = 0.005f;  // too sure by a factor of two
     points.push_back(p);
   }
   const Calibration k = calibrate(points, 2);
   EXPECT_EQ(k.count, 2000);
-  EXPECT_NEAR(k.median_nees[0], 0.455, 0.01);
-  EXPECT_NEAR(k.median_nees[1], 4 * 0.455, 0.04);
+  EXPECT_NEAR(k.median_nees[FilterRule::kl], 0.455, 0.01);
+  EXPECT_NEAR(k.median_nees[FilterRule::js], 4 * 0.455, 0.04);
   for (std::size_t i = 0; i < k.expected.size(); ++i)
-    EXPECT_NEAR(k.share[0][i], k.expected[i], 0.01);
+    EXPECT_NEAR(k.share[FilterRule::kl][i], k.expected[i], 0.01);
   EXPECT_EQ(calibrate(points, 0).count, 0) << "no scale, no truth";
 }
 
