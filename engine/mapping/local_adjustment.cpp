@@ -62,9 +62,9 @@ struct DirectedError {
   }
 };
 
-/// Error of the inverse distance along a bearing, in sigmas. `scale` is common to all of them: what
-/// they say of the scale of the map is no news, as they were measured in it, and it has their
-/// errors.
+/// Error of the inverse distance along a bearing, in sigmas. `scale` is common to all of them: they
+/// carry no independent scale information, as they were measured in the map and share its scale's
+/// error.
 struct InverseDistanceError {
   Vec3 f;
   double inv_distance, sigma;

@@ -202,14 +202,15 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->record = tracker.record();
   s->pyramid = tracker.frame().pyramid;
   s->events = tracker.events();
-  s->features.reserve(tracker.frame().features.size() + tracker.failedFeatures().size());
+  s->features.reserve(tracker.frame().features.size() +
+                      tracker.registration().failed_features.size());
   for (const TrackedFeature& f : tracker.frame().features)
     s->features.push_back(featureView(f, tracker));
-  for (const TrackedFeature& f : tracker.failedFeatures())
+  for (const TrackedFeature& f : tracker.registration().failed_features)
     s->features.push_back(featureView(f, tracker));
   for (const TrackedSegment& f : tracker.frame().segments)
     s->features.push_back(segmentFeatureView(f, tracker));
-  for (const TrackedSegment& f : tracker.failedSegments())
+  for (const TrackedSegment& f : tracker.registration().failed_segments)
     s->features.push_back(segmentFeatureView(f, tracker));
   if (tracker.record().state == TrackingState::initializing) {
     for (const InitializerTrack& t : tracker.startOutput().tracks)
@@ -220,7 +221,7 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->mapping = mappingOf(tracker);
   s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) +
              s->seeds->size() * sizeof(SeedView) + s->seed_updates->size() * sizeof(SeedUpdateView);
-  // Points move a little in every frame; they are shown anew with the keyframes, when one was
+  // Points move a little in every frame; they are republished with the keyframes, when one was
   // added, removed or adjusted.
   if (!keyframes_ || tracker.record().is_keyframe || moved(*keyframes_, tracker.map())) {
     keyframes_ = keyframeViews(tracker);

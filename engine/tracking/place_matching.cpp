@@ -129,6 +129,11 @@ const PlaceDescriptors& PlaceIndex::of(const Map& map, const Keyframe& keyframe)
                              : places_.emplace(keyframe.id, describe(map, keyframe)).first->second;
 }
 
+void PlaceIndex::keepOnly(const Map& map) {
+  for (auto it = places_.begin(); it != places_.end();)
+    it = map.keyframes.count(it->first) ? std::next(it) : places_.erase(it);
+}
+
 std::vector<RelocalizationCandidate> matchPlaces(const Map& map, const Pyramid& pyramid,
                                                  PlaceIndex& index,
                                                  const RelocalizerParameters& p) {

@@ -25,8 +25,8 @@ struct PlaceDescriptors {
 class PlaceIndex {
  public:
   const PlaceDescriptors& of(const Map& map, const Keyframe& keyframe);
-  void clear() { places_.clear(); }
-  void forget(int keyframe_id) { places_.erase(keyframe_id); }
+  /// Forgets those of keyframes that are gone.
+  void keepOnly(const Map& map);
 
  private:
   std::map<int, PlaceDescriptors> places_;

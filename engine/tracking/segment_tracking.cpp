@@ -89,19 +89,15 @@ class SegmentTracking {
   }
 
   void addSeed(const SegmentSeed& seed, const Keyframe& keyframe) {
+    if (!alive(seed)) return;
     const bool converged = seed.status == SeedStatus::converged;
-    if (!converged && seed.status != SeedStatus::active) return;
     Candidate c;
     c.seed = &seed;
     c.segment.id = seed.id;
     c.segment.keyframe_id = keyframe.id;
     c.segment.origin = converged ? FeatureOrigin::converged_seed : FeatureOrigin::unconverged_seed;
     c.rank = converged;
-    const SE3 T_world_kf = keyframe.T_cam_world.inverse();
-    for (int i = 0; i < 2; ++i) {
-      c.segment.p_world[i] = T_world_kf * (seed.anchor.f[i] / seed.belief[i].mu);
-      c.segment.covariance[i] = seedEndCovariance(seed, i, keyframe.T_cam_world);
-    }
+    setSeedPose(seed, keyframe, c.segment);
     addVisible(c);
   }
 
@@ -189,6 +185,14 @@ SegmentTrackingResult trackSegments(const Map& map, const Frame& frame,
                                     const MappingParameters& parameters) {
   if (!parameters.segments.enabled) return {};
   return SegmentTracking(map, frame, parameters).run(local_keyframes);
+}
+
+void setSeedPose(const SegmentSeed& seed, const Keyframe& keyframe, TrackedSegment& s) {
+  const SE3 T_world_kf = keyframe.T_cam_world.inverse();
+  for (int i = 0; i < 2; ++i) {
+    s.p_world[i] = T_world_kf * (seed.anchor.f[i] / seed.belief[i].mu);
+    s.covariance[i] = seedEndCovariance(seed, i, keyframe.T_cam_world);
+  }
 }
 
 std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera,

@@ -23,6 +23,9 @@ SegmentTrackingResult trackSegments(const Map& map, const Frame& frame,
                                     const std::vector<int>& local_keyframes,
                                     const MappingParameters& parameters);
 
+/// Both ends of a seed in the world, at its current means.
+void setSeedPose(const SegmentSeed& seed, const Keyframe& keyframe, TrackedSegment& segment);
+
 /// Residuals with sigmas that hold the line's noise and the end points' depth, at the pose given.
 std::vector<SegmentPoseObservation> segmentObservations(const Pinhole& camera,
                                                         const std::vector<TrackedSegment>& segments,

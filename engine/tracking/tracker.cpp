@@ -3,51 +3,45 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/base/stopwatch.h"
-#include "engine/tracking/tracker_attempt.h"
+#include "engine/tracking/frame_summary.h"
 
 namespace svoscope {
 
 namespace {
 
-/// Motion of the last frame before the start's current one, if the start knows it.
-SE3 startVelocity(const InitializerOutput& start) {
-  const auto& poses = start.poses;
-  if (poses.size() < 2) return SE3();
-  const InitializerPose& last = poses[poses.size() - 2];
-  const InitializerPose& current = poses.back();
-  if (current.frame_index != last.frame_index + 1) return SE3();
-  return current.T_frame_ref * last.T_frame_ref.inverse();
+double& stageMs(FrameRecord& record, Stage s) {
+  return record.time_ms[static_cast<std::size_t>(s)];
+}
+
+Frame makeFrame(int index, double timestamp, const cv::Mat& gray) {
+  Frame frame;
+  frame.index = index;
+  frame.timestamp = timestamp;
+  frame.pyramid = buildPyramid(gray, pyramidLevels(gray.cols));
+  return frame;
+}
+
+void addTally(const SeedTally& tally, FrameRecord& record) {
+  record.seed_updates += tally.updates;
+  record.segment_updates += tally.segment_updates;
+  record.seeds_converged += tally.converged;
+  record.seeds_rejected += tally.rejected;
 }
 
 }  // namespace
 
 Tracker::Tracker(const Pinhole& camera, const TrackerParameters& parameters)
-    : parameters_(parameters) {
-  map_.camera = camera;
-  reset();
-}
+    : parameters_(parameters), keeper_(camera), start_(camera, parameters.start) {}
 
 void Tracker::reset() {
-  const Pinhole camera = map_.camera;
-  map_ = Map{};
-  map_.camera = camera;
-  initializer_ = std::make_unique<Initializer>(camera, parameters_.start);
-  start_output_ = {};
+  keeper_.reset(false);
+  start_ = Start(map().camera, parameters_.start);
+  motion_ = Motion();
+  recovery_ = Recovery();
   state_ = TrackingState::initializing;
+  map_id_ = 0;
   frame_ = last_ = Frame{};
-  T_velocity_ = T_last_good_ = SE3();
-  job_.reset();
-  local_keyframes_.clear();
-  seed_updates_.clear();
-  places_.clear();
-  restart_.reset();
-  lost_frames_ = map_id_ = 0;
-  last_keyframe_frame_ = latest_keyframe_ = awaited_adjustment_ = -1;
-  adjustment_wanted_ = false;
-  usual_noise_px_ = 0;
 }
 
 const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& gray) {
@@ -56,19 +50,12 @@ const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& 
   record_.index = index;
   record_.timestamp = timestamp;
   events_.clear();
-  failed_features_.clear();
-  failed_segments_.clear();
-  measured_seeds_.clear();
-  dropEndedSeeds();
-
+  registration_ = {};
+  keeper_.beginFrame(frame_.index);
   last_ = std::move(frame_);
-  frame_ = Frame{};
-  frame_.index = index;
-  frame_.timestamp = timestamp;
   Stopwatch watch;
-  frame_.pyramid = buildPyramid(gray, pyramidLevels(gray.cols));
+  frame_ = makeFrame(index, timestamp, gray);
   stageMs(record_, Stage::pyramid) = watch.ms();
-
   switch (state_) {
     case TrackingState::initializing:
       initialize();
@@ -80,182 +67,151 @@ const FrameRecord& Tracker::process(int index, double timestamp, const cv::Mat& 
       relocalize();
       break;
   }
-  finishRecord();
+  record_.state = state_;
+  record_.map_id = map_id_;
+  summarizeFrame(frame_, map(), record_);
   stageMs(record_, Stage::tracking) = total.ms();
   return record_;
 }
 
 void Tracker::initialize() {
   Stopwatch watch;
-  start_output_ = initializer_->process({frame_.index, frame_.timestamp, frame_.pyramid});
-  record_.disparity_tracks = start_output_.tracks_alive;
-  record_.disparity_px = start_output_.disparity_px;
-  record_.reason = start_output_.reason;
-  if (start_output_.initialized) beginMap(start_output_);
-  stageMs(record_, Stage::initialize) = watch.ms();
-}
-
-void Tracker::beginMap(InitializerOutput start) {
-  buildMap(start);
-  T_last_good_ = frame_.T_cam_world;
-  T_velocity_ = startVelocity(start);
-  state_ = TrackingState::tracking;
-  record_.pose_good = true;
+  const InitializerOutput& start = start_.process(frame_);
+  record_.disparity_tracks = start.tracks_alive;
+  record_.disparity_px = start.disparity_px;
   record_.reason = start.reason;
-  event(EventKind::initialized, "started: " + start.reason);
-  insertKeyframe("second view of the start");
-  requestMeasurements();
-  start_output_ = std::move(start);
+  if (start.initialized) beginMap(start);
+  stageMs(record_, Stage::initialize) = watch.ms();
 }
 
 void Tracker::trackFrame() {
   Stopwatch watch;
-  const auto patches = alignmentPatches();
-  const auto list = predictions(patches);
+  const auto predictions = motion_.predict(frame_, last_, map().camera, parameters_);
   stageMs(record_, Stage::sparse_align) += watch.ms();
-  Attempt best;
-  const bool tracked = std::any_of(
-      list.begin(), list.end(), [&](const Prediction& p) { return trackFrom(p, patches, best); });
-  if (!tracked) {
-    // The record holds the numbers of the attempt judged last: so does the reason.
-    lose(best.failure);
-    return;
+  for (const Prediction& p : predictions) {
+    note(registerFrame(frame_, last_, map(), p, parameters_));
+    if (registration_.good()) break;
   }
-  frame_.T_cam_world = best.T_cam_world;
-  T_velocity_ = frame_.T_cam_world * last_.T_cam_world.inverse();
-  T_last_good_ = frame_.T_cam_world;
-  record_.pose_good = true;
-  record_.reason = "tracking";
+  if (!registration_.good()) return lose();
 
   watch.lapMs();
-  commitSeedMatches(best.reprojected.seed_matches);
-  commitSegments();
-  refineStructure();
-  refineSegments();
+  commit();
+  motion_.moved(frame_, last_);
+  record_.reason = "tracking";
+  keeper_.refine(parameters_, frame_);
   stageMs(record_, Stage::structure) = watch.lapMs();
-  const KeyframeDecision decision = considerKeyframe();
+  const KeyframeDecision decision =
+      keeper_.considerKeyframe(frame_, record_.funnel.required, parameters_.keyframe);
   record_.keyframe_reason = decision.reason;
-  if (decision.take) insertKeyframe(decision.reason);
-  requestMeasurements();
+  if (decision.take) makeKeyframe(decision.reason);
+  keeper_.requestMapping(frame_, last_, parameters_.mapping);
   stageMs(record_, Stage::keyframe) = watch.lapMs();
 }
 
-void Tracker::lose(const std::string& reason) {
+void Tracker::lose() {
   state_ = TrackingState::lost;
-  restart_.reset();
-  lost_frames_ = 0;
-  frame_.T_cam_world = T_last_good_;
-  T_velocity_ = SE3();
-  record_.reason = reason;
-  event(EventKind::lost, "lost: " + reason);
+  start_.stopBeside();
+  recovery_.begin();
+  motion_.stop();
+  frame_.T_cam_world = motion_.lastGoodPose();
+  // The record holds the numbers of the attempt judged last: so does the reason.
+  record_.reason = registration_.failure;
+  events_.push_back({frame_.index, EventKind::lost, "lost: " + record_.reason});
 }
 
 void Tracker::relocalize() {
   Stopwatch watch;
-  ++lost_frames_;
-  frame_.T_cam_world = T_last_good_;
-  // Alignment first: it is exact where it converges. Descriptors reach further.
-  std::string failure = "no keyframe looks like this frame";
-  const bool found =
-      tryRelocalization(relocalizationCandidates(map_, *frame_.pyramid, parameters_.alignment,
-                                                 parameters_.relocalize),
-                        "alignment", failure) ||
-      tryRelocalization(matchPlaces(map_, *frame_.pyramid, places_, parameters_.relocalize),
-                        "descriptors", failure);
+  frame_.T_cam_world = motion_.lastGoodPose();
+  Recovery::Result recovery = recovery_.find(frame_, map(), motion_.usualNoisePx(), parameters_);
+  note(std::move(recovery.registration));
+  if (recovery.found) {
+    commit();
+    motion_.foundAt(frame_.T_cam_world);
+    state_ = TrackingState::tracking;
+    record_.relocalized = true;
+    record_.reason = "relocalized on " + recovery.text;
+    events_.push_back({frame_.index, EventKind::relocalized,
+                       fmt::format("{} after {} frames", record_.reason, recovery_.lostFrames())});
+    keeper_.requestMapping(frame_, last_, parameters_.mapping);
+    start_.stopBeside();
+  } else {
+    record_.reason = "lost, " + recovery.text;
+  }
   stageMs(record_, Stage::relocalize) = watch.lapMs();
-  if (found) return restart_.reset();
-  frame_.T_cam_world = T_last_good_;
-  record_.reason = "lost, " + failure;
-  const QualityParameters& q = parameters_.quality;
-  const bool fresh = static_cast<int>(map_.keyframes.size()) <= q.fresh_map_keyframes;
-  if (lost_frames_ > (fresh ? q.fresh_lost_frames : q.lost_frames)) startBeside();
-  stageMs(record_, Stage::initialize) = watch.lapMs();
+  if (!recovery.found && recovery_.impatient(map(), parameters_.quality)) startBeside();
+  if (!recovery.found) stageMs(record_, Stage::initialize) = watch.lapMs();
 }
 
 /// The camera may be where the map has never been. The map is given up only once another has begun:
 /// until then the camera may come back.
 void Tracker::startBeside() {
-  if (!restart_) restart_ = std::make_unique<Initializer>(map_.camera, parameters_.start);
-  InitializerOutput start = restart_->process({frame_.index, frame_.timestamp, frame_.pyramid});
-  if (!start.initialized) return;
-  event(EventKind::reset,
-        fmt::format("map {} was given up after {} frames without it: another start was found",
-                    map_id_, lost_frames_));
-  const Frame current = frame_;
-  const int map_id = map_id_ + 1, next_keyframe_id = map_.next_keyframe_id;
-  const std::int64_t next_id = map_.next_id;
-  reset();
-  frame_ = current;
-  map_id_ = map_id;
-  // Mapping answers on their way, and what is kept by keyframe, still speak of the old map.
-  map_.next_id = next_id;
-  map_.next_keyframe_id = next_keyframe_id;
-  beginMap(std::move(start));
+  const auto start = start_.processBeside(frame_, parameters_.start);
+  if (!start) return;
+  events_.push_back(
+      {frame_.index, EventKind::reset,
+       fmt::format("map {} was given up after {} frames without it: another start was found",
+                   map_id_, recovery_.lostFrames())});
+  ++map_id_;
+  keeper_.reset(true);
+  start_ = Start(map().camera, parameters_.start);
+  motion_ = Motion();
+  recovery_ = Recovery();
+  beginMap(*start);
+  start_.keep(*start);
 }
 
-/// Takes the first candidate that the map confirms.
-bool Tracker::tryRelocalization(const std::vector<RelocalizationCandidate>& candidates,
-                                const char* by, std::string& failure) {
-  const QualityParameters& q = parameters_.quality;
-  for (const RelocalizationCandidate& c : candidates) {
-    const Scope sure = {0, false};
-    Attempt a = attempt(c.T_cam_world, "relocalization", sure);
-    // Once more from the refined pose: the first pass finds only what lay near its prediction.
-    if (a.pose.inliers + a.pose.segment_inliers >= q.min_inliers)
-      a = attempt(a.T_cam_world, "relocalization", sure);
-    if (!acceptRelocalization(a)) {
-      failure = fmt::format("keyframe {} by {}: {}", c.keyframe_id, by, a.failure);
-      continue;
-    }
-    frame_.T_cam_world = T_last_good_ = a.T_cam_world;
-    T_velocity_ = SE3();
-    state_ = TrackingState::tracking;
-    record_.pose_good = record_.relocalized = true;
-    record_.reason = fmt::format("relocalized on keyframe {} by {}", c.keyframe_id, by);
-    event(EventKind::relocalized, fmt::format("{} after {} frames", record_.reason, lost_frames_));
-    commitSeedMatches(a.reprojected.seed_matches);
-    commitSegments();
-    requestMeasurements();
-    return true;
-  }
-  return false;
+void Tracker::beginMap(const InitializerOutput& start) {
+  keeper_.beginMap(start, parameters_, frame_);
+  motion_.begin(frame_.T_cam_world, startVelocity(start));
+  state_ = TrackingState::tracking;
+  record_.pose_good = true;
+  record_.reason = start.reason;
+  events_.push_back({frame_.index, EventKind::initialized, "started: " + start.reason});
+  makeKeyframe("second view of the start");
+  last_ = Frame{};  // the frames before the start have no pose
+  keeper_.requestMapping(frame_, last_, parameters_.mapping);
 }
 
-void Tracker::event(EventKind kind, std::string text) {
-  events_.push_back({record_.index, kind, std::move(text)});
+/// The numbers of an attempt become those of the record, be it refused or not.
+void Tracker::note(Registration registration) {
+  addTimes(registration.time_ms, record_.time_ms);
+  if (!registration.judged) return;
+  registration_ = std::move(registration);
+  record_.align_rmse = registration_.aligned.rmse;
+  record_.gain = registration_.aligned.gain;
+  record_.offset = registration_.aligned.offset;
+  record_.funnel = registration_.funnel;
+  keeper_.setLocalKeyframes(registration_.local_keyframes);
 }
 
-void Tracker::finishRecord() {
-  record_.state = state_;
-  record_.T_world_cam = frame_.T_cam_world.inverse();
-  record_.map_id = map_id_;
-  Funnel& funnel = record_.funnel;
-  std::vector<double> errors;
-  for (const TrackedFeature& f : frame_.features) {
-    if (f.status != FeatureStatus::inlier) continue;
-    errors.push_back(f.error_px);
-    ++(f.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
-    funnel.inlier_edgelets += f.anchor.type == FeatureType::edgelet;
+/// An accepted registration becomes the frame's, and enters the map.
+void Tracker::commit() {
+  frame_.T_cam_world = registration_.T_cam_world;
+  frame_.noise_px = registration_.noise_px;
+  frame_.features = registration_.features;
+  frame_.segments = registration_.segments;
+  record_.pose_good = true;
+  motion_.noteNoise(frame_.noise_px);
+  keeper_.noteRegistration(registration_, parameters_, frame_);
+  addTally(keeper_.measure(registration_.seed_matches, parameters_.mapping, frame_), record_);
+}
+
+void Tracker::makeKeyframe(const std::string& reason) {
+  record_.is_keyframe = true;
+  record_.keyframe_id = keeper_.insertKeyframe(parameters_, frame_);
+  events_.push_back({frame_.index, EventKind::keyframe,
+                     fmt::format("keyframe {}: {}", record_.keyframe_id, reason)});
+}
+
+void Tracker::applyMapping(MappingResult result) {
+  stageMs(record_, Stage::mapping) += result.time_ms;
+  const MapKeeper::Answer answer = keeper_.apply(std::move(result), parameters_, frame_);
+  addTally(answer.tally, record_);
+  if (answer.change) {
+    motion_.follow(*answer.change);
+    record_.T_world_cam = frame_.T_cam_world.inverse();
   }
-  for (const TrackedSegment& s : frame_.segments) {
-    if (s.status != FeatureStatus::inlier) continue;
-    if (!s.informs) {
-      ++funnel.followed_segments;
-      continue;
-    }
-    ++funnel.inlier_segments;
-    ++(s.origin == FeatureOrigin::landmark ? funnel.inlier_landmarks : funnel.inlier_seeds);
-  }
-  if (!errors.empty()) {
-    auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    record_.reprojection_px = *middle;
-  }
-  double near = 0;
-  depthStatistics(frame_, record_.median_depth, near);
-  record_.landmarks = static_cast<int>(map_.landmarks.size() + map_.segments.size());
-  record_.seeds = map_.seedCount();
-  record_.keyframes = static_cast<int>(map_.keyframes.size());
+  record_.seeds = map().seedCount();
 }
 
 }  // namespace svoscope

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Taking over a local adjustment: what it refined, and what hangs on the keyframes it moved.
+#include "engine/tracking/map_adjustment.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "engine/mapping/segment_refinement.h"
-#include "engine/tracking/tracker.h"
+#include "engine/tracking/reprojector.h"
+#include "engine/tracking/segment_tracking.h"
 
 namespace svoscope {
 
 namespace {
-
-/// How the surroundings of a keyframe changed: old camera coordinates times `scale`, seen from the
-/// new pose.
-struct KeyframeChange {
-  SE3 T_cam_world_old, T_cam_world_new;
-  double scale = 1;
-
-  Vec3 moved(const Vec3& p_world) const {
-    return T_cam_world_new.inverse() * (scale * (T_cam_world_old * p_world));
-  }
-  /// T_cam_world of another camera that goes along.
-  SE3 followed(const SE3& T_cam_world) const {
-    const SE3 T_cam_kf = T_cam_world * T_cam_world_old.inverse();
-    return SE3(T_cam_kf.quaternion(), scale * T_cam_kf.translation()) * T_cam_world_new;
-  }
-};
 
 /// The adjustment leaves the scale free where no keyframe holds it. How far it moved the other
 /// keyframes from this one tells by how much everything there has to follow that was measured
@@ -119,57 +105,56 @@ void moveSegments(const AdjustmentResult& adjustment, const std::map<int, Keyfra
   }
 }
 
-}  // namespace
-
-/// One at a time: a problem built while another is being solved holds the poses of before it, and
-/// would put them back.
-void Tracker::requestAdjustment() {
-  if (!adjustment_wanted_ || awaited_adjustment_ >= 0) return;
-  adjustment_wanted_ = false;
-  const MappingParameters& p = parameters_.mapping;
-  if (!p.local_ba.enabled) return;
-  job_->adjustment = localProblem(map_, latest_keyframe_, p.local_ba, p.segments);
-  job_->adjustment.timed = timed_;
-  job_->adjustment.newest = latest_keyframe_;
-  if (!job_->adjustment.empty()) awaited_adjustment_ = latest_keyframe_;
+void dropOutliers(const AdjustmentResult& adjustment, Map& map) {
+  for (const AdjustmentResult::Outlier& o : adjustment.outliers)
+    map.removeObservation(o.landmark_id, o.keyframe_id);
+  for (const AdjustmentResult::Outlier& o : adjustment.segment_outliers) {
+    if (map.segments.count(o.landmark_id)) map.removeSegmentView(o.landmark_id, o.keyframe_id);
+  }
 }
 
-/// Takes over refined poses, points and segments; seeds and the current frame follow their
-/// keyframes, so that frame and map stay consistent.
-void Tracker::applyAdjustment(const AdjustmentResult& adjustment) {
-  if (adjustment.newest == awaited_adjustment_) awaited_adjustment_ = -1;
-  if (!adjustment.ok) return;
-  std::map<int, KeyframeChange> changes = changesBy(adjustment, map_);
-  if (changes.empty()) return;
-  addYounger(map_, changes);
-  moveLandmarks(adjustment, changes, map_);
+/// The frame goes along with the newest keyframe of the window, its features and segments take the
+/// places of their landmarks and seeds.
+void followFrame(const KeyframeChange& newest, Map& map, Frame& frame) {
+  frame.T_cam_world = newest.followed(frame.T_cam_world);
+  for (TrackedFeature& f : frame.features) {
+    if (f.origin == FeatureOrigin::landmark) {
+      const Landmark* landmark = map.find(f.id);
+      f.p_world = landmark ? landmark->p_world : newest.moved(f.p_world);
+    } else if (const Seed* seed = map.findSeed(f.keyframe_id, f.id)) {
+      f.p_world = seedPoint(*seed, *map.findKeyframe(f.keyframe_id));
+    }
+  }
+  for (TrackedSegment& s : frame.segments) {
+    const auto it = map.segments.find(s.id);
+    if (s.origin == FeatureOrigin::landmark && it != map.segments.end()) {
+      for (int i = 0; i < 2; ++i) s.p_world[i] = it->second.p_world[i];
+    } else if (const SegmentSeed* seed = map.findSegmentSeed(s.keyframe_id, s.id)) {
+      setSeedPose(*seed, *map.findKeyframe(s.keyframe_id), s);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<KeyframeChange> adoptAdjustment(const AdjustmentResult& adjustment,
+                                              const SegmentParameters& segments,
+                                              int structure_iterations, Map& map, Frame& frame) {
+  if (!adjustment.ok) return std::nullopt;
+  std::map<int, KeyframeChange> changes = changesBy(adjustment, map);
+  if (changes.empty()) return std::nullopt;
+  addYounger(map, changes);
+  moveLandmarks(adjustment, changes, map);
   for (const auto& [id, change] : changes) {
-    Keyframe& keyframe = *map_.findKeyframe(id);
+    Keyframe& keyframe = *map.findKeyframe(id);
     keyframe.T_cam_world = change.T_cam_world_new;
     if (change.scale != 1) rescaleSeeds(keyframe, change.scale);
   }
-  moveSegments(adjustment, changes, parameters_.mapping.segments,
-               parameters_.quality.structure_iterations, map_);
-  for (const AdjustmentResult::Outlier& o : adjustment.outliers)
-    map_.removeObservation(o.landmark_id, o.keyframe_id);
-  for (const AdjustmentResult::Outlier& o : adjustment.segment_outliers) {
-    if (map_.segments.count(o.landmark_id)) map_.removeSegmentView(o.landmark_id, o.keyframe_id);
-  }
-  // The frame goes along with the newest keyframe of the window.
-  const KeyframeChange& newest = changes.rbegin()->second;
-  frame_.T_cam_world = newest.followed(frame_.T_cam_world);
-  T_last_good_ = newest.followed(T_last_good_);
-  T_velocity_ = SE3(T_velocity_.quaternion(), newest.scale * T_velocity_.translation());
-  for (TrackedFeature& f : frame_.features) {
-    if (f.origin == FeatureOrigin::landmark) {
-      const Landmark* landmark = map_.find(f.id);
-      f.p_world = landmark ? landmark->p_world : newest.moved(f.p_world);
-    } else if (const Seed* seed = map_.findSeed(f.keyframe_id, f.id)) {
-      f.p_world = seedPoint(*seed, *map_.findKeyframe(f.keyframe_id));
-    }
-  }
-  followSegments();
-  record_.T_world_cam = frame_.T_cam_world.inverse();
+  moveSegments(adjustment, changes, segments, structure_iterations, map);
+  dropOutliers(adjustment, map);
+  const KeyframeChange newest = changes.rbegin()->second;
+  followFrame(newest, map, frame);
+  return newest;
 }
 
 }  // namespace svoscope
