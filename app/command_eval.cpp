@@ -10,9 +10,9 @@
 
 #include "app/command.h"
 #include "engine/eval/evaluate.h"
-#include "engine/eval/run_metrics.h"
 #include "engine/eval/trajectory_file.h"
 #include "engine/io/eval_plots.h"
+#include "engine/io/metrics_writer.h"
 
 namespace svoscope {
 

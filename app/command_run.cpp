@@ -14,6 +14,7 @@
 #include "app/method_table.h"
 #include "app/progress.h"
 #include "app/run_settings.h"
+#include "engine/io/metrics_writer.h"
 #include "engine/recording/open_run.h"
 #include "engine/recording/recorder.h"
 

@@ -6,6 +6,7 @@
 
 #include "engine/bench/bench_runner.h"
 #include "engine/bench/cell_queue.h"
+#include "engine/bench/cell_record.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The cells of a benchmark and where their results lie.
 //
-//   DIR/bench.yaml                        the configuration
-//   DIR/sequences/NAME/                   times.txt, groundtruth.txt, sequence.json: all that a
-//                                         report needs
-//   DIR/peers/LABEL/NAME.txt              external trajectories
-//   DIR/synth/NAME/                       rendered sequences
-//   DIR/cells/NAME/SYSTEM/run-N/          files of `svoscope run`, log.txt, cell.json
+//   DIR/bench.yaml                    the configuration
+//   DIR/sequences/NAME/               times.txt, groundtruth.txt: all a report needs
+//   DIR/peers/LABEL/NAME.txt          external trajectories
+//   DIR/synth/NAME/                   rendered sequences
+//   DIR/cells/NAME/SYSTEM/run-N/      files of `svoscope run`, log.txt, cell.json
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,24 +57,6 @@ std::string cellFingerprint(const BenchConfig& config, const BenchCell& cell,
 std::string fingerprintOf(const std::string& bytes);
 /// Of a file's content; empty if it cannot be read.
 std::string fileFingerprint(const std::filesystem::path& file);
-
-/// How a cell ended: cell.json beside its results.
-struct CellRecord {
-  std::string configuration, build, version,
-      machine;  ///< fingerprints; version as printed; processor
-  int exit_code = 0;
-  int signal = 0;  ///< that ended it, 0: none
-  bool timed_out = false;
-  std::string reason;  ///< why it is no result; empty if it is
-  double wall_s = 0;
-
-  /// Ended by itself: what came from outside (kill, power) is run again.
-  bool finished() const { return signal == 0; }
-};
-
-Status writeCellRecord(const std::filesystem::path& folder, const CellRecord& record);
-/// Empty if there is none or it cannot be understood.
-std::optional<CellRecord> readCellRecord(const std::filesystem::path& folder);
 
 /// "model name, n threads" of this machine.
 std::string machineName();

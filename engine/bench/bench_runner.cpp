@@ -10,6 +10,7 @@
 
 #include "engine/base/stopwatch.h"
 #include "engine/bench/cell_queue.h"
+#include "engine/bench/cell_record.h"
 #include "engine/bench/cell_text.h"
 #include "engine/io/text_output.h"
 

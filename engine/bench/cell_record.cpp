@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// cell.json: how a cell ended.
+#include "engine/bench/cell_record.h"
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/bench/bench_plan.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {

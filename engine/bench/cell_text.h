@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/bench/bench_plan.h"
+#include "engine/bench/cell_record.h"
 
 namespace svoscope {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The figures of a run, as printed and as written to metrics.json (docs/commands.md).
+// The figures of a run; engine/io/metrics_writer.h writes them.
 #pragma once
 
 #include <array>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,14 +50,5 @@ const char* seedRule(const std::string& method);
 /// Fills what follows from the rows: all counts, fractions and times, but not fps, map, seeds'
 /// updates or evaluation. `frames` is at least the number of rows.
 RunMetrics metricsOfRecords(const std::vector<FrameRecord>& records, int frames);
-
-/// The objects `ate` and `rpe` of metrics.json and of `eval --json`; null without a result.
-nlohmann::ordered_json ateJson(const std::optional<EvalResult>& evaluation);
-nlohmann::ordered_json rpeJson(const std::optional<EvalResult>& evaluation);
-
-nlohmann::ordered_json metricsJson(const RunMetrics& metrics);
-
-/// A few lines for people.
-std::string metricsText(const RunMetrics& metrics);
 
 }  // namespace svoscope

@@ -9,6 +9,7 @@
 #include "engine/base/quantile.h"
 #include "engine/figure/line_plot.h"
 #include "engine/figure/system_style.h"
+#include "engine/io/csv.h"
 #include "engine/io/text_output.h"
 
 namespace svoscope {
@@ -51,18 +52,12 @@ LinePlot errorPlot(const Trajectory& ground_truth, const std::vector<NamedEval>&
   return plot;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
 std::string errorsCsv(const std::vector<NamedEval>& estimates) {
   std::string text = "estimate,timestamp,error_m,gt_x,gt_y,gt_z,est_x,est_y,est_z\n";
   for (const NamedEval& estimate : estimates) {
     for (const PoseError& e : estimate.result.errors) {
       text += fmt::format("{},{:.6f},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
-                          quoted(estimate.name), e.timestamp, e.error_m, e.position_gt.x(),
+                          csvQuoted(estimate.name), e.timestamp, e.error_m, e.position_gt.x(),
                           e.position_gt.y(), e.position_gt.z(), e.position_est.x(),
                           e.position_est.y(), e.position_est.z());
     }

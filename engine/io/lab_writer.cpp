@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/csv.h"
 #include "engine/io/png.h"
 #include "engine/io/rule_plots.h"
 #include "engine/io/text_output.h"
@@ -11,19 +12,16 @@ namespace svoscope {
 
 namespace {
 
-/// A value that does not exist is an empty field.
-std::string field(const std::optional<double>& v) { return v ? fmt::format("{:.6g}", *v) : ""; }
-
 std::string labCsv(const LabResult& result) {
   std::string csv =
       "rule,median_updates,median_relative_error,wrong_at_recall_0.8,wrong_at_recall_0.6,p90_"
       "relative_error,"
       "median_nees,converged,hopeless_converged\n";
   for (const LabRow& r : result.rows) {
-    csv += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.6g}\n", r.rule, field(r.median_updates),
-                       field(r.median_relative_error), field(r.wrong_at_80), field(r.wrong_at_60),
-                       field(r.p90_relative_error), field(r.median_nees), r.converged,
-                       r.hopeless_converged);
+    csv += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.6g}\n", r.rule, csvNumber(r.median_updates),
+                       csvNumber(r.median_relative_error), csvNumber(r.wrong_at_80),
+                       csvNumber(r.wrong_at_60), csvNumber(r.p90_relative_error),
+                       csvNumber(r.median_nees), r.converged, r.hopeless_converged);
   }
   return csv;
 }

@@ -12,6 +12,7 @@
 #include "engine/eval/estimate.h"
 #include "engine/io/frames_csv.h"
 #include "engine/io/map_ply.h"
+#include "engine/io/metrics_writer.h"
 #include "engine/io/trajectory_writer.h"
 
 namespace svoscope {

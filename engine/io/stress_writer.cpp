@@ -5,14 +5,13 @@
 
 #include <algorithm>
 
+#include "engine/io/csv.h"
+
 namespace svoscope {
 
 namespace {
 
 using Rows = std::vector<StressRow>;
-
-/// A value that does not exist is an empty field.
-std::string field(const std::optional<double>& v) { return v ? fmt::format("{:.6g}", *v) : ""; }
 
 const StressRow* find(const Rows& rows, const std::string& stress, const std::string& strength,
                       const std::string& method) {
@@ -106,9 +105,9 @@ const char* stressCsvHeader() {
 
 std::string stressCsvRow(const StressRow& r) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", r.stress, r.strength, r.method,
-                     stressOutcomeName(r.outcome), r.visible, field(r.start_s),
-                     field(r.tracked_fraction), r.losses, field(r.relative_ate),
-                     field(r.recovery_s), r.sequence);
+                     stressOutcomeName(r.outcome), r.visible, csvNumber(r.start_s),
+                     csvNumber(r.tracked_fraction), r.losses, csvNumber(r.relative_ate),
+                     csvNumber(r.recovery_s), r.sequence);
 }
 
 std::string stressMarkdown(const std::vector<Stress>& stresses, const Rows& rows) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/bench/bench_results.h"
 #include "engine/eval/bootstrap.h"
+#include "engine/report/bench_results.h"
 
 namespace svoscope {
 

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "engine/io/csv.h"
 #include "engine/io/text_output.h"
 #include "engine/report/paper_figures.h"
+#include "engine/report/read_results.h"
 #include "engine/report/report_tables.h"
 
 namespace svoscope {
@@ -115,13 +117,6 @@ void addFindings(const BenchResults& results, Report& report) {
   }
 }
 
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csvHeader() {
   std::string text = "sequence,system,method,variant,run,present,counts,reason,exit_code,wall_s";
   for (const FigureInfo& info : figureTable()) text += std::string(",") + info.key;
@@ -136,9 +131,9 @@ std::string csvRow(const BenchResults& results, std::size_t s, std::size_t m,
           ? ""
           : results.config.variants[static_cast<std::size_t>(system.variant)].name;
   std::string text = fmt::format(
-      "{},{},{},{},{},{},{},{},{},{:.2f}", csvField(results.config.sequences[s].name),
-      csvField(system.label), system.method, csvField(variant), run.run, run.present ? 1 : 0,
-      run.good ? 1 : 0, csvField(run.why), run.record.exit_code, run.record.wall_s);
+      "{},{},{},{},{},{},{},{},{},{:.2f}", csvText(results.config.sequences[s].name),
+      csvText(system.label), system.method, csvText(variant), run.run, run.present ? 1 : 0,
+      run.good ? 1 : 0, csvText(run.why), run.record.exit_code, run.record.wall_s);
   for (const FigureInfo& info : figureTable()) {
     const auto& value = run.figures.*info.value;
     text += value ? fmt::format(",{:.9g}", *value) : ",";

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/bench/bench_results.h"
+#include "engine/report/bench_results.h"
 #include "engine/report/comparison.h"
 #include "engine/report/report_table.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/bench/bench_results.h"
 #include "engine/figure/line_plot.h"
+#include "engine/report/bench_results.h"
 #include "engine/report/comparison.h"
 
 namespace svoscope {

@@ -14,21 +14,28 @@ namespace {
 
 const char* const kPageStyle =
     R"(:root{--ground:#fff;--ink:#1f2328;--dim:#57606a;--line:#d8dce1;--band:#f6f7f9}
-@media (prefers-color-scheme:dark){:root{--ground:#18191d;--ink:#dee2e7;--dim:#929aa6;--line:#343a44;--band:#20232a}}
+@media (prefers-color-scheme:dark){:root{--ground:#18191d;--ink:#dee2e7;)"
+    R"(--dim:#929aa6;--line:#343a44;--band:#20232a}}
 :root{color-scheme:light dark}
 body{margin:0 auto;max-width:920px;padding:32px 24px 64px;background:var(--ground);color:var(--ink);
 font:15px/1.5 "DejaVu Sans",Verdana,sans-serif}
-h1{font-size:26px;line-height:1.25;margin:0 0 12px}h2{font-size:19px;margin:44px 0 12px;padding-top:12px;border-top:1px solid var(--line)}
-h3{font-size:15px;margin:26px 0 8px}p{margin:0 0 8px}ul{margin:0 0 12px;padding-left:20px}li{margin:3px 0}
+h1{font-size:26px;line-height:1.25;margin:0 0 12px})"
+    R"(h2{font-size:19px;margin:44px 0 12px;padding-top:12px;border-top:1px solid var(--line)}
+h3{font-size:15px;margin:26px 0 8px}p{margin:0 0 8px})"
+    R"(ul{margin:0 0 12px;padding-left:20px}li{margin:3px 0}
 .facts{color:var(--dim);font-size:13px}nav{margin:16px 0;font-size:13px}nav a{margin-right:14px}
 a{color:inherit;text-underline-offset:3px}
-figure{margin:20px 0}figcaption{font-size:13px;color:var(--dim);margin:0 0 6px}figcaption b{display:block;color:var(--ink)}
+figure{margin:20px 0}figcaption{font-size:13px;color:var(--dim);margin:0 0 6px})"
+    R"(figcaption b{display:block;color:var(--ink)}
 figcaption span{display:block}.scroll{overflow-x:auto}svg{max-width:100%;height:auto;display:block}
-table{border-collapse:collapse;font-size:12.5px;font-variant-numeric:tabular-nums;white-space:nowrap}
+table{border-collapse:collapse;font-size:12.5px;)"
+    R"(font-variant-numeric:tabular-nums;white-space:nowrap}
 th,td{padding:4px 9px;text-align:right;vertical-align:top;border-bottom:1px solid var(--line)}
 td small{display:block;color:var(--dim);font-size:11px;font-weight:400}
-th{font-weight:600}thead th{border-bottom:1px solid var(--dim)}th.group{text-align:center;border-bottom:1px solid var(--line)}
-th.text,td.text{text-align:left}tr.heading th{text-align:left;background:var(--band);color:var(--dim)}
+th{font-weight:600}thead th{border-bottom:1px solid var(--dim)})"
+    R"(th.group{text-align:center;border-bottom:1px solid var(--line)}
+th.text,td.text{text-align:left})"
+    R"(tr.heading th{text-align:left;background:var(--band);color:var(--dim)}
 .panels{display:grid;grid-template-columns:repeat(auto-fill,minmax(270px,1fr));gap:10px}
 details{margin:12px 0}summary{cursor:pointer;font-size:13px;color:var(--dim)}
 @media print{body{max-width:none}details{display:block}}

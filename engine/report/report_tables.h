@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/bench/bench_results.h"
+#include "engine/report/bench_results.h"
 #include "engine/report/comparison.h"
 #include "engine/report/report_table.h"
 

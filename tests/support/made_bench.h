@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/bench/bench_plan.h"
+#include "engine/bench/cell_record.h"
 #include "engine/io/trajectory_writer.h"
 #include "tests/support/support.h"
 

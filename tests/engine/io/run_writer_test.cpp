@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/eval/trajectory_file.h"
+#include "engine/io/metrics_writer.h"
 #include "tests/support/scripted_runner.h"
 #include "tests/support/support.h"
 

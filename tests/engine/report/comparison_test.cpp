@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/report/read_results.h"
 #include "tests/support/made_bench.h"
 
 namespace svoscope {

@@ -8,6 +8,7 @@
 
 #include "engine/bench/bench_runner.h"
 #include "engine/report/paper_figures.h"
+#include "engine/report/read_results.h"
 #include "engine/report/report_tables.h"
 #include "tests/support/made_bench.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/bench/bench_results.h"
+#include "engine/report/read_results.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include <set>
 
 #include "engine/base/text_rows.h"
-#include "engine/eval/bootstrap.h"
 #include "engine/eval/trajectory_file.h"
 
 namespace svoscope {
@@ -178,100 +177,6 @@ RunResult readPeer(const fs::path& file, const SequenceFacts& facts, const Bench
 }
 
 }  // namespace
-
-const std::vector<FigureInfo>& figureTable() {
-  using F = RunFigures;
-  static const std::vector<FigureInfo> table = {
-      {"rpe_trans_m", "RPE trans", "m", 4, &F::rpe_trans_m, true},
-      {"rpe_rot_rad", "RPE rot", "rad", 4, &F::rpe_rot_rad, true},
-      {"ate_m", "ATE rmse", "m", 4, &F::ate_m, true},
-      {"ate_median_m", "ATE median", "m", 4, &F::ate_median_m, true},
-      {"ate_max_m", "ATE max", "m", 4, &F::ate_max_m, true},
-      {"scale", "Scale", "", 4, &F::scale, true},
-      {"tracked", "Tracked", "", 3, &F::tracked, false},
-      {"init_time_s", "Initialisation time", "s", 2, &F::init_time_s, true},
-      {"init_frame", "First frame with a pose", "", 0, &F::init_frame, true},
-      {"keyframes", "Keyframes", "", 0, &F::keyframes, true},
-      {"losses", "Losses", "", 1, &F::losses, true},
-      {"relocalisations", "Relocalisations", "", 1, &F::relocalisations, false},
-      {"relocalisation_time_s", "Relocalisation time", "s", 3, &F::relocalisation_time_s, true},
-      {"fps", "Frames per second", "1/s", 0, &F::fps, false},
-      {"tracking_ms", "Tracking time", "ms", 2, &F::tracking_ms, true},
-      {"mapping_ms", "Mapping time", "ms", 2, &F::mapping_ms, true},
-      {"points", "Points of the map", "", 0, &F::points, false},
-      {"segments", "Segments of the map", "", 0, &F::segments, false},
-      {"memory_mb", "Largest memory", "MiB", 0, &F::memory_mb, true},
-      {"frames", "Frames", "", 0, &F::frames, false}};
-  return table;
-}
-
-const FigureInfo& figure(const std::string& key) {
-  for (const FigureInfo& info : figureTable()) {
-    if (key == info.key) return info;
-  }
-  return figureTable().front();
-}
-
-std::optional<Spread> spreadOf(const std::vector<double>& values) {
-  if (values.empty()) return std::nullopt;
-  Spread s;
-  s.count = static_cast<int>(values.size());
-  s.mean = meanOf(values);
-  s.low = *std::min_element(values.begin(), values.end());
-  s.high = *std::max_element(values.begin(), values.end());
-  double squares = 0;
-  for (const double v : values) squares += (v - s.mean) * (v - s.mean);
-  if (s.count > 1) s.stddev = std::sqrt(squares / (s.count - 1));
-  return s;
-}
-
-std::vector<double> BenchResults::values(std::size_t sequence, std::size_t system,
-                                         const FigureInfo& info) const {
-  std::vector<double> values;
-  for (const RunResult& run : runs[sequence][system]) {
-    const auto& value = run.figures.*info.value;
-    if (run.good && value) values.push_back(*value);
-  }
-  return values;
-}
-
-std::optional<Spread> BenchResults::spread(std::size_t sequence, std::size_t system,
-                                           const FigureInfo& info) const {
-  return spreadOf(values(sequence, system, info));
-}
-
-const RunResult* BenchResults::typical(std::size_t sequence, std::size_t system) const {
-  std::vector<const RunResult*> good;
-  for (const RunResult& run : runs[sequence][system]) {
-    if (run.good) good.push_back(&run);
-  }
-  if (good.empty()) return nullptr;
-  std::stable_sort(good.begin(), good.end(), [](const RunResult* a, const RunResult* b) {
-    return a->figures.ate_m.value_or(0) < b->figures.ate_m.value_or(0);
-  });
-  return good[(good.size() - 1) / 2];
-}
-
-bool BenchResults::completes(std::size_t sequence, std::size_t system) const {
-  int present = 0, good = 0;
-  for (const RunResult& run : runs[sequence][system]) {
-    present += run.present;
-    good += run.good;
-  }
-  return present > 0 && good == present;
-}
-
-std::string BenchResults::failure(std::size_t sequence, std::size_t system) const {
-  std::vector<std::string> reasons;
-  for (const RunResult& run : runs[sequence][system]) {
-    if (run.good) return "";
-    if (std::find(reasons.begin(), reasons.end(), run.why) == reasons.end())
-      reasons.push_back(run.why);
-  }
-  std::string text;
-  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-  return text;
-}
 
 Result<BenchResults> readBenchResults(const fs::path& dir) {
   auto config = loadBenchConfig(dir / "bench.yaml", BenchConfigUse::report);

@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The results of a benchmark as they lie in its folder, with errors computed anew from
-// trajectories.
+// The results of a benchmark: runs by sequence and system, and what is taken from several of them.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/bench/bench_plan.h"
+#include "engine/bench/cell_record.h"
+#include "engine/report/run_figures.h"
 
 namespace svoscope {
-
-/// Figures of one run. What the run did not have is empty.
-struct RunFigures {
-  std::optional<double> ate_m, ate_median_m, ate_max_m, scale;
-  std::optional<double> rpe_trans_m, rpe_rot_rad;
-  std::optional<double> tracked;      ///< fraction of the frames since the start, 0..1
-  std::optional<double> init_time_s;  ///< from the first frame
-  std::optional<double> init_frame, frames;
-  std::optional<double> keyframes, losses, relocalisations, relocalisation_time_s;
-  std::optional<double> fps, tracking_ms, mapping_ms;  ///< median times of a frame
-  std::optional<double> points, segments, memory_mb;
-};
 
 struct RunResult {
   int run = 1;
@@ -34,18 +22,6 @@ struct RunResult {
   std::optional<EvalResult> evaluation;
   std::vector<double> lost;  ///< times of lost frames after the start, s
 };
-
-/// A row of the tables: one figure of a run.
-struct FigureInfo {
-  const char* key;    ///< in results.csv: "ate_m"
-  const char* label;  ///< "ATE rmse"
-  const char* unit;   ///< "m"; may be empty
-  int digits;         ///< after the point
-  std::optional<double> RunFigures::*value;
-  bool less_is_better;
-};
-const std::vector<FigureInfo>& figureTable();
-const FigureInfo& figure(const std::string& key);  ///< must exist
 
 /// Mean and spread over the runs that count.
 struct Spread {
@@ -83,9 +59,5 @@ struct BenchResults {
 };
 
 std::optional<Spread> spreadOf(const std::vector<double>& values);
-
-/// Reads DIR. Cells that are missing or of another plan are "not run". Input error if there is no
-/// bench.yaml.
-Result<BenchResults> readBenchResults(const std::filesystem::path& dir);
 
 }  // namespace svoscope
