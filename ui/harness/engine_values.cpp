@@ -13,7 +13,7 @@ namespace svoscope::ui {
 namespace {
 
 struct Now {
-  const Runner& runner;
+  const RunView& runner;
   FrameRecord record;  // of the frame in view; index -1 if none
 };
 
@@ -90,7 +90,7 @@ void visitValues(const FrameRecord& record, F&& f) {
   });
 }
 
-FrameRecord recordOf(const Runner& runner, int frame) {
+FrameRecord recordOf(const RunView& runner, int frame) {
   const std::vector<FrameRecord> records = runner.records(0);
   const auto found = std::find_if(records.rbegin(), records.rend(),
                                   [&](const FrameRecord& r) { return r.index == frame; });
@@ -99,7 +99,7 @@ FrameRecord recordOf(const Runner& runner, int frame) {
 
 }  // namespace
 
-std::optional<ScriptValue> engineValue(const Runner& runner, int frame, const std::string& name) {
+std::optional<ScriptValue> engineValue(const RunView& runner, int frame, const std::string& name) {
   for (const Named& known : kValues) {
     if (name == known.name) return known.value({runner, recordOf(runner, frame)});
   }

@@ -59,7 +59,7 @@ const std::vector<ChartInfo>& chartTable() {
   return table;
 }
 
-bool RunCache::update(const Runner& runner) {
+bool RunCache::update(const RunView& runner) {
   const int generation = runner.generation();
   const bool reset = generation != generation_;
   if (reset) {

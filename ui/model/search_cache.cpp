@@ -21,7 +21,7 @@ const KeyframeView* findKeyframe(const Snapshot* snapshot, int id) {
 
 /// `later`, or in its place a snapshot with nothing but the keyframe and its image: those of a
 /// recording hold the image of their own frame only.
-SnapshotPtr withKeyframeImage(const Runner& runner, int keyframe, const Snapshot& searched,
+SnapshotPtr withKeyframeImage(const RunView& runner, int keyframe, const Snapshot& searched,
                               SnapshotPtr later) {
   const KeyframeView* now = findKeyframe(&searched, keyframe);
   const KeyframeView* known = now ? now : findKeyframe(later.get(), keyframe);
@@ -43,7 +43,7 @@ SearchCache::SearchCache()
         return explainSearch(seed, update, searched, info, later);
       }) {}
 
-const SearchDetail* SearchCache::find(const Runner& runner, const SeedView& seed,
+const SearchDetail* SearchCache::find(const RunView& runner, const SeedView& seed,
                                       const SeedUpdateView& update, int update_index,
                                       int published) {
   const Key key{update.seed_id, update.frame_index, update_index, runner.generation()};

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 #include "engine/runner/search_detail.h"
 
 namespace svoscope::ui {
@@ -21,8 +21,8 @@ class SearchCache {
 
   /// `published`: frame of the snapshot that brought the update. Null with a reason in problem() if
   /// the frame is no longer held, or the engine cannot tell.
-  const SearchDetail* find(const Runner& runner, const SeedView& seed, const SeedUpdateView& update,
-                           int update_index, int published);
+  const SearchDetail* find(const RunView& runner, const SeedView& seed,
+                           const SeedUpdateView& update, int update_index, int published);
   const std::string& problem() const { return problem_; }
   /// Changes with the content; for textures.
   std::uint64_t version() const { return version_; }

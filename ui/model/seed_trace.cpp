@@ -32,7 +32,7 @@ void SeedTraces::add(SeedTrace& t, const Snapshot& s) {
   }
 }
 
-void SeedTraces::update(const Runner& runner, const std::vector<std::int64_t>& ids,
+void SeedTraces::update(const RunView& runner, const std::vector<std::int64_t>& ids,
                         const SnapshotPtr& latest) {
   const int generation = runner.generation();
   if (generation != generation_) entries_.clear();
@@ -62,7 +62,7 @@ ViewedUpdate viewedUpdate(PanelContext& c) {
   std::vector<std::int64_t> ids = o.pinned;
   const Selection& selected = c.state.selection;
   if (selected.kind == Selection::Kind::seed) ids.push_back(selected.id);
-  c.cache<SeedTraces>().update(c.runner, ids, c.latest);
+  c.cache<SeedTraces>().update(c.run, ids, c.latest);
   ViewedUpdate v;
   if (selected.kind != Selection::Kind::seed) return v;
   v.trace = c.cache<SeedTraces>().find(selected.id);
@@ -158,7 +158,7 @@ void togglePin(PanelContext& c, std::int64_t id) {
 
 FilterGates filterGates(const PanelContext& c) {
   FilterGates gates;
-  for (const ParameterView& p : c.runner.parameters()) {
+  for (const ParameterView& p : c.run.parameters()) {
     const auto take = [&](const char* key, double& value) {
       if (p.key == key) value = std::atof(p.value.c_str());
     };

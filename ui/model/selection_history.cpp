@@ -46,7 +46,7 @@ const MapPointView* findPoint(const Snapshot& snapshot, std::int64_t id) {
   return nullptr;
 }
 
-void SelectionHistory::update(const Runner& runner, const Selection& selection,
+void SelectionHistory::update(const RunView& runner, const Selection& selection,
                               const SnapshotPtr& latest) {
   const int generation = runner.generation();
   if (selection != selection_ || generation != generation_) {

@@ -136,7 +136,7 @@ std::vector<UpdatePoint> pointsOf(const Snapshot& s) {
   return points;
 }
 
-bool FilterStats::update(const Runner& runner, const SnapshotPtr& latest) {
+bool FilterStats::update(const RunView& runner, const SnapshotPtr& latest) {
   if (runner.generation() != generation_) {
     const std::uint64_t version = version_ + 1;
     *this = FilterStats();

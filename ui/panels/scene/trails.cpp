@@ -15,7 +15,7 @@ std::uint64_t keyOf(const FeatureView& f) {
 
 }  // namespace
 
-const std::vector<std::vector<Vec2f>>& Trails::update(const Runner& runner, const Snapshot& shown,
+const std::vector<std::vector<Vec2f>>& Trails::update(const RunView& runner, const Snapshot& shown,
                                                       int frames) {
   const int generation = runner.generation();
   if (shown.sequence_number == sequence_number_ && frames == frames_ && generation == generation_) {
