@@ -139,7 +139,7 @@ void Inspector::draw() {
   for (const Action action : pressedActions()) act(action);
   PanelContext context = makeContext();
   drawWindow(context);
-  // The panel sets these anew in every frame that it is shown; the image may be drawn before it.
+  // The panel sets these again in every frame that it is shown; the image may be drawn before it.
   if (!std::exchange(state_.search_line.fresh, false)) state_.search_line = {};
   if (!std::exchange(state_.search_hover.fresh, false)) state_.search_hover = {};
   state_.seed.step_request = 0;

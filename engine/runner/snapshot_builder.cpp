@@ -220,7 +220,7 @@ std::shared_ptr<Snapshot> SnapshotBuilder::build(Tracker& tracker) {
   s->mapping = mappingOf(tracker);
   s->bytes = sizeof(Snapshot) + s->features.size() * sizeof(FeatureView) +
              s->seeds->size() * sizeof(SeedView) + s->seed_updates->size() * sizeof(SeedUpdateView);
-  // Points move a little in every frame; they are shown anew with the keyframes, when one was
+  // Points move a little in every frame; they are republished with the keyframes, when one was
   // added, removed or adjusted.
   if (!keyframes_ || tracker.record().is_keyframe || moved(*keyframes_, tracker.map())) {
     keyframes_ = keyframeViews(tracker);

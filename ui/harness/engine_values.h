@@ -11,7 +11,7 @@
 namespace svoscope::ui {
 
 /// `frame` is the one in view; its row of the table answers, so evicted frames do, too.
-std::optional<ScriptValue> engineValue(const RunView& runner, int frame, const std::string& name);
+std::optional<ScriptValue> engineValue(const RunView& run, int frame, const std::string& name);
 std::string engineValueNames();
 
 }  // namespace svoscope::ui

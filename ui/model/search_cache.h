@@ -2,7 +2,6 @@
 // The epipolar search of the update looked at, explained once per update.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "engine/runner/run_view.h"
@@ -12,17 +11,10 @@ namespace svoscope::ui {
 
 class SearchCache {
  public:
-  using Explain =
-      std::function<Result<SearchDetail>(const SeedView&, const SeedUpdateView&, const Snapshot&,
-                                         const RunInfo&, const Snapshot* later)>;
-
-  SearchCache();  ///< with the engine's explainSearch
-  void setExplain(Explain explain) { explain_ = std::move(explain); }
-
   /// `published`: frame of the snapshot that brought the update. Null with a reason in problem() if
   /// the frame is no longer held, or the engine cannot tell.
-  const SearchDetail* find(const RunView& runner, const SeedView& seed,
-                           const SeedUpdateView& update, int update_index, int published);
+  const SearchDetail* find(const RunView& run, const SeedView& seed, const SeedUpdateView& update,
+                           int update_index, int published);
   const std::string& problem() const { return problem_; }
   /// Changes with the content; for textures.
   std::uint64_t version() const { return version_; }
@@ -36,7 +28,6 @@ class SearchCache {
       return seed == o.seed && frame == o.frame && update == o.update && generation == o.generation;
     }
   };
-  Explain explain_;
   Key key_;
   std::optional<SearchDetail> detail_;
   std::string problem_;

@@ -32,9 +32,9 @@ void SeedTraces::add(SeedTrace& t, const Snapshot& s) {
   }
 }
 
-void SeedTraces::update(const RunView& runner, const std::vector<std::int64_t>& ids,
+void SeedTraces::update(const RunView& run, const std::vector<std::int64_t>& ids,
                         const SnapshotPtr& latest) {
-  const int generation = runner.generation();
+  const int generation = run.generation();
   if (generation != generation_) entries_.clear();
   generation_ = generation;
   for (auto it = entries_.begin(); it != entries_.end();) {
@@ -42,12 +42,12 @@ void SeedTraces::update(const RunView& runner, const std::vector<std::int64_t>& 
                                                                    : std::next(it);
   }
   if (!latest) return;
-  const int first = runner.status().history_first;
+  const int first = run.status().history_first;
   for (const std::int64_t id : ids) {
     Entry& e = entries_[id];
     e.trace.id = id;
     for (e.next = std::max(e.next, first); e.next <= latest->record.index; ++e.next) {
-      if (const SnapshotPtr s = runner.valuesAt(e.next)) add(e.trace, *s);
+      if (const SnapshotPtr s = run.valuesAt(e.next)) add(e.trace, *s);
     }
   }
 }

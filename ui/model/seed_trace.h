@@ -29,8 +29,7 @@ class SeedTraces {
   static constexpr std::size_t kMostUpdates = 5000;  ///< of one seed
 
   /// Extends the traces of `ids` by new snapshots; drops those of others.
-  void update(const RunView& runner, const std::vector<std::int64_t>& ids,
-              const SnapshotPtr& latest);
+  void update(const RunView& run, const std::vector<std::int64_t>& ids, const SnapshotPtr& latest);
   const SeedTrace* find(std::int64_t id) const;
 
  private:

@@ -12,7 +12,7 @@ namespace svoscope::ui {
 class Trails {
  public:
   /// Positions of each feature of `shown`, newest first, over up to `frames` frames back.
-  const std::vector<std::vector<Vec2f>>& update(const RunView& runner, const Snapshot& shown,
+  const std::vector<std::vector<Vec2f>>& update(const RunView& run, const Snapshot& shown,
                                                 int frames);
 
  private:
