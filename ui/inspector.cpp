@@ -82,10 +82,10 @@ void Inspector::switchRun() {
   if (next < 0 || next == before) return;
   const Status status = runs_.setCurrent(next);
   if (!status.ok()) return state_.toasts.add(status.error().message(), true);
-  RunView& left = views_[static_cast<std::size_t>(before)];
+  UserView& left = views_[static_cast<std::size_t>(before)];
   left = {state_.selection, state_.highlighted, state_.seed.pinned, std::move(state_.run_options),
           state_.scene};
-  RunView& entered = views_[static_cast<std::size_t>(next)];
+  UserView& entered = views_[static_cast<std::size_t>(next)];
   state_.selection = entered.selection;
   state_.highlighted = entered.highlighted;
   state_.seed.pinned = entered.pinned;
@@ -104,8 +104,8 @@ void Inspector::switchRun() {
 void Inspector::updateRuns() {
   for (int i = 0; i < runs_.size(); ++i) {
     if (!caches_[static_cast<std::size_t>(i)]->run.update(runs_.run(i))) continue;
-    RunView& view = views_[static_cast<std::size_t>(i)];
-    view = RunView();
+    UserView& view = views_[static_cast<std::size_t>(i)];
+    view = UserView();
     state_.viewed_frame = -1;
     if (i != runs_.current()) continue;
     state_.selection = {};
@@ -119,20 +119,10 @@ PanelContext Inspector::makeContext() {
   switchRun();
   updateRuns();
   graphics_.setFirstSlot(kRunSlots * static_cast<std::uint32_t>(runs_.current()));
-  PanelContext c{runner_,
-                 graphics_,
-                 state_,
-                 now(),
-                 runs_,
-                 caches_,
-                 compare_,
-                 runner_.info(),
-                 runner_.status(),
-                 runner_.latest(),
-                 nullptr,
-                 nullptr,
-                 runs_.frame(),
-                 renderer_};
+  PanelContext c{
+      runner_,  runner_,        graphics_,        state_,           now(),   runs_,   caches_,
+      compare_, runner_.info(), runner_.status(), runner_.latest(), nullptr, nullptr, runs_.frame(),
+      renderer_};
   if (state_.viewed_frame >= c.engineFrame()) state_.viewed_frame = -1;
   c.snapshot = runs_.size() > 1 || !c.live() ? runner_.at(c.viewedFrame()) : c.latest;
   c.record = c.snapshot ? &c.snapshot->record : now().run.find(c.viewedFrame());
@@ -149,7 +139,7 @@ void Inspector::draw() {
   for (const Action action : pressedActions()) act(action);
   PanelContext context = makeContext();
   drawWindow(context);
-  // The panel sets these anew in every frame that it is shown; the image may be drawn before it.
+  // The panel sets these again in every frame that it is shown; the image may be drawn before it.
   if (!std::exchange(state_.search_line.fresh, false)) state_.search_line = {};
   if (!std::exchange(state_.search_hover.fresh, false)) state_.search_hover = {};
   state_.seed.step_request = 0;

@@ -50,7 +50,7 @@ class Inspector : public UiContent {
 
  private:
   /// What the user looks at in a run; kept while another one is the current one.
-  struct RunView {
+  struct UserView {
     Selection selection;
     std::set<std::int64_t> highlighted;
     std::vector<std::int64_t> pinned;
@@ -86,7 +86,7 @@ class Inspector : public UiContent {
   Runs runs_;
   UiState state_;
   std::vector<std::unique_ptr<PanelCaches>> caches_;  ///< of each run
-  std::vector<RunView> views_;                        ///< of each run
+  std::vector<UserView> views_;                       ///< of each run
   CompareData compare_;
   std::string layout_file_, renderer_;
   std::optional<float> scale_request_;

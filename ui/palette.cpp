@@ -15,7 +15,7 @@ struct Rgb {
   float r, g, b;
 };
 
-// Control points of the published colour maps, equally spaced; linear in between.
+// Control points of the published colour map, equally spaced; linear in between.
 constexpr std::array<Rgb, 9> kViridis = {{{68, 1, 84},
                                           {71, 44, 122},
                                           {59, 81, 139},
@@ -25,16 +25,6 @@ constexpr std::array<Rgb, 9> kViridis = {{{68, 1, 84},
                                           {92, 200, 99},
                                           {170, 220, 50},
                                           {253, 231, 37}}};
-constexpr std::array<Rgb, 10> kCividis = {{{0, 34, 78},
-                                           {18, 53, 112},
-                                           {59, 73, 108},
-                                           {87, 93, 109},
-                                           {112, 113, 115},
-                                           {138, 134, 120},
-                                           {165, 156, 116},
-                                           {195, 179, 105},
-                                           {225, 204, 85},
-                                           {254, 232, 56}}};
 
 template <std::size_t N>
 ImU32 ramp(const std::array<Rgb, N>& table, float t) {
@@ -293,6 +283,5 @@ const char* eventName(EventKind kind) {
 }
 
 ImU32 viridis(float t) { return ramp(kViridis, t); }
-ImU32 cividis(float t) { return ramp(kCividis, t); }
 
 }  // namespace svoscope::ui

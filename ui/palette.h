@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every colour that means something, in one place. Categories are Okabe-Ito, ramps are viridis and
-// cividis: all are distinguishable with the common colour-vision deficiencies, and no panel uses
-// colour as the only cue.
+// Every colour that means something, in one place. Categories are Okabe-Ito, the ramp is viridis:
+// all are distinguishable with the common colour-vision deficiencies, and no panel uses colour as
+// the only cue.
 #pragma once
 
 #include <imgui/imgui.h>
@@ -77,8 +77,7 @@ const char* statusName(FeatureStatus status);
 const char* featureTypeName(FeatureType type);
 const char* eventName(EventKind kind);
 
-/// Perceptually uniform ramps; t is clamped to [0, 1], NaN gives grey.
+/// Perceptually uniform ramp; t is clamped to [0, 1], NaN gives grey.
 ImU32 viridis(float t);
-ImU32 cividis(float t);
 
 }  // namespace svoscope::ui

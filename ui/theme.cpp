@@ -78,7 +78,6 @@ void applyTheme(float scale) {
   ImGui::GetStyle() = style;
 }
 
-float uiScale() { return g_scale; }
 float grid(float units) { return std::round(units * 4 * g_scale); }
 float dp(float value) { return value * g_scale; }
 

@@ -8,9 +8,6 @@ namespace svoscope::ui {
 /// host at the same scale.
 void applyTheme(float scale);
 
-/// The scale given to applyTheme.
-float uiScale();
-
 /// `units` steps of the 4-px grid in framebuffer pixels.
 float grid(float units);
 

@@ -47,7 +47,7 @@ LockstepRunner::~LockstepRunner() {
   thread_.join();
 }
 
-const Runner& LockstepRunner::run(int i) const { return *member(i).view; }
+const RunView& LockstepRunner::run(int i) const { return *member(i).view; }
 
 Status LockstepRunner::setCurrent(int i) {
   if (i < 0 || i >= size()) {

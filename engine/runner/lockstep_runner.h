@@ -52,7 +52,7 @@ class LockstepRunner : public Runner {
   /// Last frame that all runs went through; -1 before the first.
   int frame() const { return frame_; }
   /// One run, up to frame(). Valid as long as this object.
-  const Runner& run(int i) const;
+  const RunView& run(int i) const;
 
   void send(const Command& command) override;
   bool pump() override;

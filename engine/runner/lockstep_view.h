@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <atomic>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 
 namespace svoscope {
 
 /// A run as far as all others are: what it has beyond the common frame is not there yet.
-class LockstepView : public Runner {
+class LockstepView : public RunView {
  public:
-  LockstepView(const Runner& run, const std::atomic<int>& frame) : run_(run), frame_(frame) {}
+  LockstepView(const RunView& run, const std::atomic<int>& frame) : run_(run), frame_(frame) {}
 
-  void send(const Command&) override {}  // commands go to all, see LockstepRunner::send
-  bool pump() override { return false; }
   const RunInfo& info() const override { return run_.info(); }
   RunnerStatus status() const override {
     RunnerStatus status = run_.status();
@@ -49,7 +47,7 @@ class LockstepView : public Runner {
   int generation() const override { return run_.generation(); }
 
  private:
-  const Runner& run_;
+  const RunView& run_;
   const std::atomic<int>& frame_;
 };
 

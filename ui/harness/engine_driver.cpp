@@ -49,14 +49,14 @@ std::string stateText(const FrameRecord& record) {
   return record.reason.empty() || record.reason == state ? state : state + ": " + record.reason;
 }
 
-std::string whereNow(const Runner& runner) {
+std::string whereNow(const RunView& runner) {
   const RunnerStatus status = runner.status();
   std::string text = "after frame " + std::to_string(status.next_frame - 1);
   if (const SnapshotPtr latest = runner.latest()) text += " (" + stateText(latest->record) + ")";
   return text;
 }
 
-Error ended(const Runner& runner, const std::string& wanted) {
+Error ended(const RunView& runner, const std::string& wanted) {
   return Error{ErrorKind::internal,
                (runner.status().finished ? "the sequence ended " : "the engine paused ") +
                    whereNow(runner) + " without " + wanted,

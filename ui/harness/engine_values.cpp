@@ -13,7 +13,7 @@ namespace svoscope::ui {
 namespace {
 
 struct Now {
-  const Runner& runner;
+  const RunView& run;
   FrameRecord record;  // of the frame in view; index -1 if none
 };
 
@@ -26,35 +26,35 @@ ScriptValue number(double value) { return value; }
 
 ScriptValue eventTexts(const Now& now) {
   std::vector<std::string> texts;
-  for (const Event& event : now.runner.events(0)) texts.push_back(event.text);
+  for (const Event& event : now.run.events(0)) texts.push_back(event.text);
   return texts;
 }
 
 int countOf(const Now& now, bool (*which)(const FrameRecord&)) {
-  const std::vector<FrameRecord> records = now.runner.records(0);
+  const std::vector<FrameRecord> records = now.run.records(0);
   return static_cast<int>(std::count_if(records.begin(), records.end(), which));
 }
 
 RunMetrics metricsOf(const Now& now) {
-  const std::vector<FrameRecord> records = now.runner.records(0);
+  const std::vector<FrameRecord> records = now.run.records(0);
   return metricsOfRecords(records, static_cast<int>(records.size()));
 }
 
 /// NaN without a result: no comparison holds then.
 ScriptValue truthValue(const Now& now, double TruthState::*value) {
   const TruthState truth =
-      alignTruth(now.runner.records(0), now.runner.info().ground_truth, Alignment::sim3);
+      alignTruth(now.run.records(0), now.run.info().ground_truth, Alignment::sim3);
   return number(truth.valid ? truth.*value : NAN);
 }
 
 const Named kValues[] = {
     {"frame", [](const Now& n) { return number(n.record.index); }},
-    {"next_frame", [](const Now& n) { return number(n.runner.status().next_frame); }},
-    {"playing", [](const Now& n) { return number(n.runner.status().playing); }},
-    {"finished", [](const Now& n) { return number(n.runner.status().finished); }},
-    {"frames", [](const Now& n) { return number(n.runner.info().frames); }},
-    {"method", [](const Now& n) { return ScriptValue(n.runner.info().method); }},
-    {"sequence", [](const Now& n) { return ScriptValue(n.runner.info().sequence); }},
+    {"next_frame", [](const Now& n) { return number(n.run.status().next_frame); }},
+    {"playing", [](const Now& n) { return number(n.run.status().playing); }},
+    {"finished", [](const Now& n) { return number(n.run.status().finished); }},
+    {"frames", [](const Now& n) { return number(n.run.info().frames); }},
+    {"method", [](const Now& n) { return ScriptValue(n.run.info().method); }},
+    {"sequence", [](const Now& n) { return ScriptValue(n.run.info().sequence); }},
     {"events", eventTexts},
     {"tracked",
      [](const Now& n) {
@@ -90,8 +90,8 @@ void visitValues(const FrameRecord& record, F&& f) {
   });
 }
 
-FrameRecord recordOf(const Runner& runner, int frame) {
-  const std::vector<FrameRecord> records = runner.records(0);
+FrameRecord recordOf(const RunView& run, int frame) {
+  const std::vector<FrameRecord> records = run.records(0);
   const auto found = std::find_if(records.rbegin(), records.rend(),
                                   [&](const FrameRecord& r) { return r.index == frame; });
   return found == records.rend() ? FrameRecord() : *found;
@@ -99,12 +99,12 @@ FrameRecord recordOf(const Runner& runner, int frame) {
 
 }  // namespace
 
-std::optional<ScriptValue> engineValue(const Runner& runner, int frame, const std::string& name) {
+std::optional<ScriptValue> engineValue(const RunView& run, int frame, const std::string& name) {
   for (const Named& known : kValues) {
-    if (name == known.name) return known.value({runner, recordOf(runner, frame)});
+    if (name == known.name) return known.value({run, recordOf(run, frame)});
   }
   std::optional<ScriptValue> found;
-  visitValues(recordOf(runner, frame), [&](const char* field, const auto& value) {
+  visitValues(recordOf(run, frame), [&](const char* field, const auto& value) {
     if (name == field) found = scriptValue(value);
   });
   return found;

@@ -140,7 +140,7 @@ std::optional<ScriptValue> Executor::value(const std::string& name) const {
   if (name == "width") return ScriptValue(double(stage_.host.surface().size().width));
   if (name == "height") return ScriptValue(double(stage_.host.surface().size().height));
   if (const auto at = name.find('@'); at != std::string::npos) {
-    const Runner* run = stage_.target.findRun(name.substr(at + 1));
+    const RunView* run = stage_.target.findRun(name.substr(at + 1));
     return run ? engineValue(*run, shownFrame(), name.substr(0, at)) : std::nullopt;
   }
   if (const std::optional<ScriptValue> known = stage_.target.value(name)) return known;

@@ -188,7 +188,7 @@ Status InspectorTarget::showRun(const std::string& name) {
   return Done{};
 }
 
-const Runner* InspectorTarget::findRun(const std::string& name) const {
+const RunView* InspectorTarget::findRun(const std::string& name) const {
   const std::optional<int> run = runs_.find(name);
   return run ? &runs_.run(*run) : nullptr;
 }

@@ -28,7 +28,7 @@ class InspectorTarget : public ScriptTarget {
   Status requestExport(const std::string& panel, const std::string& file) override;
   Status exportResult() const override;
   Status showRun(const std::string& name) override;
-  const Runner* findRun(const std::string& name) const override;
+  const RunView* findRun(const std::string& name) const override;
   Status set(const std::string& key, const std::string& value) override;
   std::optional<ScriptValue> value(const std::string& name) const override;
 

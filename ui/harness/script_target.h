@@ -13,7 +13,7 @@
 #include "ui/harness/expectation.h"
 
 namespace svoscope {
-class Runner;
+class RunView;
 }
 
 namespace svoscope::ui {
@@ -48,7 +48,7 @@ class ScriptTarget {
   virtual Status exportResult() const { return Done{}; }
   virtual Status showRun(const std::string& name) { return refuse("run " + name); }
   /// An open run by name or number, for `expect NAME@RUN`; null if there is none.
-  virtual const Runner* findRun(const std::string& name) const {
+  virtual const RunView* findRun(const std::string& name) const {
     (void)name;
     return nullptr;
   }

@@ -59,8 +59,8 @@ const std::vector<ChartInfo>& chartTable() {
   return table;
 }
 
-bool RunCache::update(const Runner& runner) {
-  const int generation = runner.generation();
+bool RunCache::update(const RunView& run) {
+  const int generation = run.generation();
   const bool reset = generation != generation_;
   if (reset) {
     *this = RunCache();
@@ -68,8 +68,8 @@ bool RunCache::update(const Runner& runner) {
     columns_.resize(seriesTable().size());
     stages_.resize(kStageCount);
   }
-  for (const FrameRecord& r : runner.records(static_cast<int>(records_.size()))) append(r);
-  for (const Event& e : runner.events(static_cast<int>(events_.size()))) {
+  for (const FrameRecord& r : run.records(static_cast<int>(records_.size()))) append(r);
+  for (const Event& e : run.events(static_cast<int>(events_.size()))) {
     if (e.kind != EventKind::info) {
       marks_.push_back({static_cast<float>(e.frame_index), eventColor(e.kind), e.text});
     }

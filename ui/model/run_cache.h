@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 #include "ui/widgets/plot.h"
 
 namespace svoscope::ui {
@@ -32,7 +32,7 @@ const std::vector<ChartInfo>& chartTable();
 class RunCache {
  public:
   /// Fetches what is new. True if the run was reset: everything derived is void.
-  bool update(const Runner& runner);
+  bool update(const RunView& run);
 
   const std::vector<FrameRecord>& records() const { return records_; }
   const std::vector<Event>& events() const { return events_; }

@@ -28,7 +28,7 @@ class Runs {
 
   int size() const { return static_cast<int>(styles_.size()); }
   int current() const { return lockstep_ ? lockstep_->current() : 0; }
-  const Runner& run(int i) const { return lockstep_ ? lockstep_->run(i) : *runner_; }
+  const RunView& run(int i) const { return lockstep_ ? lockstep_->run(i) : *runner_; }
   const RunStyle& style(int i) const { return styles_[static_cast<std::size_t>(i)]; }
   Status setCurrent(int i);
   /// By name or label, or by number from 0; nothing if there is none.

@@ -21,12 +21,12 @@ const KeyframeView* findKeyframe(const Snapshot* snapshot, int id) {
 
 /// `later`, or in its place a snapshot with nothing but the keyframe and its image: those of a
 /// recording hold the image of their own frame only.
-SnapshotPtr withKeyframeImage(const Runner& runner, int keyframe, const Snapshot& searched,
+SnapshotPtr withKeyframeImage(const RunView& run, int keyframe, const Snapshot& searched,
                               SnapshotPtr later) {
   const KeyframeView* now = findKeyframe(&searched, keyframe);
   const KeyframeView* known = now ? now : findKeyframe(later.get(), keyframe);
   if (!known || known->pyramid) return later;
-  const SnapshotPtr frame = runner.at(known->frame_index);
+  const SnapshotPtr frame = run.at(known->frame_index);
   if (!frame || !frame->pyramid) return later;
   KeyframeView complete = *known;
   complete.pyramid = frame->pyramid;
@@ -37,31 +37,25 @@ SnapshotPtr withKeyframeImage(const Runner& runner, int keyframe, const Snapshot
 
 }  // namespace
 
-SearchCache::SearchCache()
-    : explain_([](const SeedView& seed, const SeedUpdateView& update, const Snapshot& searched,
-                  const RunInfo& info, const Snapshot* later) {
-        return explainSearch(seed, update, searched, info, later);
-      }) {}
-
-const SearchDetail* SearchCache::find(const Runner& runner, const SeedView& seed,
+const SearchDetail* SearchCache::find(const RunView& run, const SeedView& seed,
                                       const SeedUpdateView& update, int update_index,
                                       int published) {
-  const Key key{update.seed_id, update.frame_index, update_index, runner.generation()};
+  const Key key{update.seed_id, update.frame_index, update_index, run.generation()};
   if (key == key_) return detail_ ? &*detail_ : nullptr;
   key_ = key;
   ++version_;
   detail_.reset();
   problem_.clear();
-  const SnapshotPtr searched = runner.at(update.frame_index);
+  const SnapshotPtr searched = run.at(update.frame_index);
   if (!searched) {
     problem_ = format("Frame %d, which was searched, is no longer held", update.frame_index);
     return nullptr;
   }
   ++computed_;
   // Knows a keyframe made after the searched frame.
-  const SnapshotPtr later =
-      withKeyframeImage(runner, seed.keyframe_id, *searched, runner.at(published));
-  const Result<SearchDetail> result = explain_(seed, update, *searched, runner.info(), later.get());
+  const SnapshotPtr later = withKeyframeImage(run, seed.keyframe_id, *searched, run.at(published));
+  const Result<SearchDetail> result =
+      explainSearch(seed, update, *searched, run.info(), later.get());
   if (result.ok())
     detail_ = result.value();
   else

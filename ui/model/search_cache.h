@@ -2,26 +2,18 @@
 // The epipolar search of the update looked at, explained once per update.
 #pragma once
 
-#include <functional>
 #include <optional>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 #include "engine/runner/search_detail.h"
 
 namespace svoscope::ui {
 
 class SearchCache {
  public:
-  using Explain =
-      std::function<Result<SearchDetail>(const SeedView&, const SeedUpdateView&, const Snapshot&,
-                                         const RunInfo&, const Snapshot* later)>;
-
-  SearchCache();  ///< with the engine's explainSearch
-  void setExplain(Explain explain) { explain_ = std::move(explain); }
-
   /// `published`: frame of the snapshot that brought the update. Null with a reason in problem() if
   /// the frame is no longer held, or the engine cannot tell.
-  const SearchDetail* find(const Runner& runner, const SeedView& seed, const SeedUpdateView& update,
+  const SearchDetail* find(const RunView& run, const SeedView& seed, const SeedUpdateView& update,
                            int update_index, int published);
   const std::string& problem() const { return problem_; }
   /// Changes with the content; for textures.
@@ -36,7 +28,6 @@ class SearchCache {
       return seed == o.seed && frame == o.frame && update == o.update && generation == o.generation;
     }
   };
-  Explain explain_;
   Key key_;
   std::optional<SearchDetail> detail_;
   std::string problem_;

@@ -32,9 +32,9 @@ void SeedTraces::add(SeedTrace& t, const Snapshot& s) {
   }
 }
 
-void SeedTraces::update(const Runner& runner, const std::vector<std::int64_t>& ids,
+void SeedTraces::update(const RunView& run, const std::vector<std::int64_t>& ids,
                         const SnapshotPtr& latest) {
-  const int generation = runner.generation();
+  const int generation = run.generation();
   if (generation != generation_) entries_.clear();
   generation_ = generation;
   for (auto it = entries_.begin(); it != entries_.end();) {
@@ -42,12 +42,12 @@ void SeedTraces::update(const Runner& runner, const std::vector<std::int64_t>& i
                                                                    : std::next(it);
   }
   if (!latest) return;
-  const int first = runner.status().history_first;
+  const int first = run.status().history_first;
   for (const std::int64_t id : ids) {
     Entry& e = entries_[id];
     e.trace.id = id;
     for (e.next = std::max(e.next, first); e.next <= latest->record.index; ++e.next) {
-      if (const SnapshotPtr s = runner.valuesAt(e.next)) add(e.trace, *s);
+      if (const SnapshotPtr s = run.valuesAt(e.next)) add(e.trace, *s);
     }
   }
 }
@@ -62,7 +62,7 @@ ViewedUpdate viewedUpdate(PanelContext& c) {
   std::vector<std::int64_t> ids = o.pinned;
   const Selection& selected = c.state.selection;
   if (selected.kind == Selection::Kind::seed) ids.push_back(selected.id);
-  c.cache<SeedTraces>().update(c.runner, ids, c.latest);
+  c.cache<SeedTraces>().update(c.run, ids, c.latest);
   ViewedUpdate v;
   if (selected.kind != Selection::Kind::seed) return v;
   v.trace = c.cache<SeedTraces>().find(selected.id);
@@ -158,7 +158,7 @@ void togglePin(PanelContext& c, std::int64_t id) {
 
 FilterGates filterGates(const PanelContext& c) {
   FilterGates gates;
-  for (const ParameterView& p : c.runner.parameters()) {
+  for (const ParameterView& p : c.run.parameters()) {
     const auto take = [&](const char* key, double& value) {
       if (p.key == key) value = std::atof(p.value.c_str());
     };

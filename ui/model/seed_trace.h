@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 
 namespace svoscope::ui {
 
@@ -29,8 +29,7 @@ class SeedTraces {
   static constexpr std::size_t kMostUpdates = 5000;  ///< of one seed
 
   /// Extends the traces of `ids` by new snapshots; drops those of others.
-  void update(const Runner& runner, const std::vector<std::int64_t>& ids,
-              const SnapshotPtr& latest);
+  void update(const RunView& run, const std::vector<std::int64_t>& ids, const SnapshotPtr& latest);
   const SeedTrace* find(std::int64_t id) const;
 
  private:

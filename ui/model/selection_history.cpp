@@ -46,18 +46,18 @@ const MapPointView* findPoint(const Snapshot& snapshot, std::int64_t id) {
   return nullptr;
 }
 
-void SelectionHistory::update(const Runner& runner, const Selection& selection,
+void SelectionHistory::update(const RunView& run, const Selection& selection,
                               const SnapshotPtr& latest) {
-  const int generation = runner.generation();
+  const int generation = run.generation();
   if (selection != selection_ || generation != generation_) {
     *this = SelectionHistory();
     selection_ = selection;
     generation_ = generation;
   }
   if (!selection_ || !latest) return;
-  next_ = std::max(next_, runner.status().history_first);
+  next_ = std::max(next_, run.status().history_first);
   for (; next_ <= latest->record.index; ++next_) {
-    if (const SnapshotPtr s = runner.valuesAt(next_)) add(*s);
+    if (const SnapshotPtr s = run.valuesAt(next_)) add(*s);
   }
 }
 

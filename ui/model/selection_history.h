@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 #include "ui/model/ui_state.h"
 
 namespace svoscope::ui {
@@ -18,7 +18,7 @@ const MapPointView* findPoint(const Snapshot& snapshot, std::int64_t id);
 class SelectionHistory {
  public:
   /// Extends by new snapshots; starts again if the selection or the run changed.
-  void update(const Runner& runner, const Selection& selection, const SnapshotPtr& latest);
+  void update(const RunView& run, const Selection& selection, const SnapshotPtr& latest);
 
   std::vector<float> frames, residual, depth, observations;                     ///< of features
   std::vector<float> seed_frames, mu, mu_lo, mu_hi, sigma_ratio, inlier_ratio;  ///< of seeds

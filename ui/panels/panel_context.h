@@ -35,7 +35,8 @@ void moveOn(Runner& runner, UiState& state, const Command& command);
 
 /// With several runs open, all but `runs`, `all_caches` and `compare` is of the current one.
 struct PanelContext {
-  Runner& runner;
+  Runner& runner;      ///< for commands
+  const RunView& run;  ///< to be read
   Graphics& graphics;
   UiState& state;
   PanelCaches& caches;

@@ -50,7 +50,7 @@ class Lockstep : public ::testing::Test {
   void expectAligned(int frame) {
     EXPECT_EQ(runs_->frame(), frame);
     for (int i = 0; i < runs_->size(); ++i) {
-      const Runner& run = runs_->run(i);
+      const RunView& run = runs_->run(i);
       ASSERT_TRUE(run.latest()) << runs_->label(i);
       EXPECT_EQ(run.latest()->record.index, frame) << runs_->label(i);
       EXPECT_EQ(static_cast<int>(run.records(0).size()), frame + 1) << runs_->label(i);
@@ -92,7 +92,7 @@ TEST_F(Lockstep, NothingIsSeenOfAFrameBeforeAllRunsHaveIt) {
   while (runs_->frame() < 20) {
     ASSERT_TRUE(runs_->pump());
     for (int i = 0; i < 2; ++i) {
-      const Runner& run = runs_->run(i);
+      const RunView& run = runs_->run(i);
       EXPECT_EQ(static_cast<int>(run.records(0).size()), runs_->frame() + 1);
       EXPECT_FALSE(run.at(runs_->frame() + 1));
       for (const Event& event : run.events(0)) EXPECT_LE(event.frame_index, runs_->frame());

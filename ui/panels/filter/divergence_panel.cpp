@@ -79,7 +79,7 @@ void draw(PanelContext& c) {
   }
   forgetBrushOfOldRun(c);
   FilterStats& stats = c.cache<FilterStats>();
-  const bool complete = stats.update(c.runner, c.latest);
+  const bool complete = stats.update(c.run, c.latest);
   DivergenceView& view = c.cache<DivergenceView>();
   view.update(c);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
@@ -97,7 +97,7 @@ void draw(PanelContext& c) {
 
 std::string csv(PanelContext& c) {
   if (!c.latest) return "";
-  c.cache<FilterStats>().update(c.runner, c.latest);
+  c.cache<FilterStats>().update(c.run, c.latest);
   DivergenceView& view = c.cache<DivergenceView>();
   view.update(c);
   return view.points.empty() ? std::string() : statsCsv(view.points);

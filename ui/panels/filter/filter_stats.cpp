@@ -136,18 +136,18 @@ std::vector<UpdatePoint> pointsOf(const Snapshot& s) {
   return points;
 }
 
-bool FilterStats::update(const Runner& runner, const SnapshotPtr& latest) {
-  if (runner.generation() != generation_) {
+bool FilterStats::update(const RunView& run, const SnapshotPtr& latest) {
+  if (run.generation() != generation_) {
     const std::uint64_t version = version_ + 1;
     *this = FilterStats();
     version_ = version;
-    generation_ = runner.generation();
+    generation_ = run.generation();
   }
   if (!latest) return true;
-  next_ = std::max(next_, runner.status().history_first);
+  next_ = std::max(next_, run.status().history_first);
   for (int n = 0; next_ <= latest->record.index; ++next_) {
     if (n++ >= kSnapshotsPerCall) return false;
-    if (const SnapshotPtr s = runner.valuesAt(next_)) read(*s);
+    if (const SnapshotPtr s = run.valuesAt(next_)) read(*s);
   }
   return true;
 }

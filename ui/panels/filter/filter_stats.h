@@ -7,7 +7,7 @@
 #include <deque>
 #include <vector>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 
 namespace svoscope::ui {
 
@@ -60,7 +60,7 @@ class FilterStats {
   static constexpr int kSnapshotsPerCall = 120;  ///< so that catching up does not stall the window
 
   /// Reads snapshots that are new; starts again after a reset. True if nothing is left to read.
-  bool update(const Runner& runner, const SnapshotPtr& latest);
+  bool update(const RunView& run, const SnapshotPtr& latest);
 
   const FilterDistributions& run() const { return run_; }
   const std::deque<UpdatePoint>& points() const { return points_; }

@@ -151,7 +151,7 @@ bool beginGroup(const std::string& group, const Columns& columns) {
 }
 
 void draw(PanelContext& c) {
-  const auto parameters = c.runner.parameters();
+  const auto parameters = c.run.parameters();
   if (parameters.empty()) return emptyState("No parameters", "This recording holds none");
   inputText("##parameter_filter", "Filter, for example reproject",
             c.options<ParametersOptions>().filter, ImGui::GetFontSize() * 14);

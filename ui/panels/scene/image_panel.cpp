@@ -209,7 +209,7 @@ void viewBody(PanelContext& c, const Snapshot& s) {
   drawImage(view, c.graphics.image(kSlot, level, version * 2 + (smooth ? 1 : 0), smooth), width,
             height);
   pushImageClip(view, width, height);
-  if (o.trails) drawTrails(view, c.cache<Trails>().update(c.runner, s, o.trail_frames), s, o);
+  if (o.trails) drawTrails(view, c.cache<Trails>().update(c.run, s, o.trail_frames), s, o);
   drawSeeds(view, s, o, c.state.selection, c.state.highlighted, c.state.seed.pinned);
   drawFeatures(view, s, o, c.state.selection);
   drawSearch(view, s.record.index, c.state.search_line, c.state.search_hover);

@@ -15,9 +15,9 @@ std::uint64_t keyOf(const FeatureView& f) {
 
 }  // namespace
 
-const std::vector<std::vector<Vec2f>>& Trails::update(const Runner& runner, const Snapshot& shown,
+const std::vector<std::vector<Vec2f>>& Trails::update(const RunView& run, const Snapshot& shown,
                                                       int frames) {
-  const int generation = runner.generation();
+  const int generation = run.generation();
   if (shown.sequence_number == sequence_number_ && frames == frames_ && generation == generation_) {
     return trails_;
   }
@@ -32,7 +32,7 @@ const std::vector<std::vector<Vec2f>>& Trails::update(const Runner& runner, cons
     trails_[i].push_back(shown.features[i].px);
   }
   for (int back = 1; back <= frames && !alive.empty(); ++back) {
-    const SnapshotPtr s = runner.valuesAt(shown.record.index - back);
+    const SnapshotPtr s = run.valuesAt(shown.record.index - back);
     if (!s) break;
     std::unordered_map<std::uint64_t, std::size_t> still;
     for (const FeatureView& f : s->features) {

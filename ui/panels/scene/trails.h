@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/runner/runner.h"
+#include "engine/runner/run_view.h"
 
 namespace svoscope::ui {
 
 class Trails {
  public:
   /// Positions of each feature of `shown`, newest first, over up to `frames` frames back.
-  const std::vector<std::vector<Vec2f>>& update(const Runner& runner, const Snapshot& shown,
+  const std::vector<std::vector<Vec2f>>& update(const RunView& run, const Snapshot& shown,
                                                 int frames);
 
  private:

@@ -90,7 +90,7 @@ void footprint(const std::vector<Vec2f>& corners, const SeedView& seed, ImVec2 l
 
 void patches(PanelContext& c, const SearchDetail& d, const SeedView& seed, const SeedUpdateView& u,
              float side) {
-  const SnapshotPtr searched = c.runner.at(u.frame_index);
+  const SnapshotPtr searched = c.run.at(u.frame_index);
   const Patch reference{"Reference", d.patch_reference,
                         format("level %d, keyframe %d", seed.level, seed.keyframe_id)};
   const ImVec2 lo = drawPatch(c, reference, 0, side);
@@ -264,7 +264,7 @@ void draw(PanelContext& c) {
   }
   const SeedUpdateView& u = *v.update;
   const SearchDetail* d = c.cache<SearchCache>().find(
-      c.runner, *v.trace->last, u, v.index, v.trace->published[static_cast<std::size_t>(v.index)]);
+      c.run, *v.trace->last, u, v.index, v.trace->published[static_cast<std::size_t>(v.index)]);
   if (!d) return emptyState("The search cannot be shown", c.cache<SearchCache>().problem());
   shareLine(c, *d, u);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {grid(1.5f), grid(0.5f)});
@@ -305,7 +305,7 @@ std::string csv(PanelContext& c) {
   const ViewedUpdate v = viewedUpdate(c);
   if (!v.trace || !v.update || !v.trace->last) return "";
   const SearchDetail* d =
-      c.cache<SearchCache>().find(c.runner, *v.trace->last, *v.update, v.index,
+      c.cache<SearchCache>().find(c.run, *v.trace->last, *v.update, v.index,
                                   v.trace->published[static_cast<std::size_t>(v.index)]);
   return d ? profileCsv(*d, v.update->seed_id, v.update->frame_index) : std::string();
 }

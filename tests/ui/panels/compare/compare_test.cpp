@@ -3,102 +3,15 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
-#include <utility>
 
-#include "engine/runner/lockstep_runner.h"
-#include "engine/runner/trajectory_runner.h"
-#include "tests/support/fake_runner.h"
-#include "tests/support/support.h"
-#include "tests/ui/render/render_fixture.h"
-#include "ui/harness/executor.h"
-#include "ui/harness/inspector_target.h"
-#include "ui/inspector.h"
+#include "tests/ui/panels/compare/compare_fixture.h"
 #include "ui/palette.h"
 
 namespace svoscope::ui {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
-
-FakeOptions fake(const std::string& method, int start, double bend) {
-  FakeOptions options;
-  options.method = method;
-  options.start = start;
-  options.bend = bend;
-  options.frames = 120;
-  options.width = 320;
-  options.height = 240;
-  options.landmarks = 200;
-  options.seeds = 60;
-  options.lost_from = 60;
-  options.lost_to = 64;
-  return options;
-}
-
-class Compare : public testing::TestWithParam<SurfaceKind> {
- protected:
-  void SetUp() override {
-    host = openHost(GetParam(), 1280, 720);
-    if (!host) GTEST_SKIP() << "OSMesa is absent: install libosmesa6";
-  }
-
-  void open(bool truth = true) {
-    add("svo", fake("svo", 12, 4e-5), truth);
-    add("pl-svo", fake("pl-svo", 5, 2e-5), truth);
-    FakeOptions never = fake("it-svo", 1000, 0);
-    never.lost_to = 0;
-    add("it-svo", never, truth);
-    members.push_back(trajectory());
-    runs = std::make_unique<LockstepRunner>(std::move(members), LockstepRunner::Drive::by_pump);
-    inspector = std::make_unique<Inspector>(*runs, host->graphics());
-  }
-
-  void add(const std::string& label, FakeOptions options, bool truth) {
-    options.ground_truth = truth;
-    members.push_back({std::make_unique<FakeRunner>(options), label, false});
-  }
-
-  /// Poses of frames 20 to 79 on the ground truth itself.
-  LockstepMember trajectory() {
-    const RunInfo of_run = FakeRunner(fake("svo", 5, 0)).info();
-    TrajectoryFile file;
-    FrameTimes frames;
-    for (int i = 0; i < 120; ++i) {
-      const StampedPose& pose = of_run.ground_truth[static_cast<std::size_t>(i)];
-      frames.timestamps.push_back(pose.timestamp);
-      if (i >= 20 && i < 80) file.poses.push_back(pose);
-    }
-    RunInfo info = members.front().runner->info();
-    info.method = "orb";
-    return {TrajectoryRunner::make(file, frames, info, "orb.txt").value(), "orb", true};
-  }
-
-  std::string run(const std::string& text) {
-    const Result<Script> script = parseScript(text, "test.script");
-    if (!script) return script.error().message();
-    InspectorTarget target(*runs, inspector->state());
-    const auto result =
-        runScript(script.value(), {*host, *inspector, target, runs.get(), folder.path()});
-    return result ? "" : result.error().message();
-  }
-
-  std::string written(const std::string& name) {
-    std::ifstream in(folder.path() / name);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-
-  test::TemporaryFolder folder;
-  std::vector<LockstepMember> members;
-  std::unique_ptr<Host> host;
-  std::unique_ptr<LockstepRunner> runs;
-  std::unique_ptr<Inspector> inspector;
-};
 
 TEST_P(Compare, OneTransportMovesAllRuns) {
   open();
@@ -186,56 +99,6 @@ TEST_P(Compare, WithoutGroundTruthRunsAreAlignedToTheCurrentOne) {
   EXPECT_LT(data.runs()[3].difference[50], 0.2f);
 }
 
-TEST_P(Compare, PanelsExportNumbersAndCharts) {
-  open();
-  ASSERT_EQ(run("run-to 70\nlayout Compare\nwait 3\n"
-                "export Compare plots plots.csv\nexport Compare plots plots.svg\n"
-                "export Compare metrics metrics.csv\nexport Compare 3-D paths.csv\n"),
-            "");
-  EXPECT_THAT(written("plots.csv"),
-              HasSubstr("frame,svo error_m,svo difference_m,svo inliers,svo tracking_ms,pl-svo"));
-  EXPECT_THAT(written("plots.csv"), HasSubstr("\n70,"));
-  EXPECT_THAT(written("plots.svg"), HasSubstr("Position error, m</text>"));
-  EXPECT_THAT(written("plots.svg"), HasSubstr("PL-SVO</text>"));
-  EXPECT_THAT(written("plots.svg"), Not(HasSubstr("nan")));
-  EXPECT_THAT(written("metrics.csv"), HasSubstr("Start frame,12,5,,20\n"));
-  EXPECT_THAT(written("paths.csv"), HasSubstr("\n30,pl-svo,"));
-}
-
-TEST_P(Compare, EveryPanelWithChartsExports) {
-  open();
-  ASSERT_EQ(run("run-to 50\nset lab.wait on\nset lab.seeds 200\nset lab.section 2\nselect seed "
-                "any\nwait 3\n"),
-            "");
-  for (const std::string panel :
-       {"Plots", "Timing", "Seed", "KL / JS", "Evaluation", "Filter lab", "Compare plots"}) {
-    EXPECT_EQ(run("panel \"" + panel + "\"\nwait 2\nexport \"" + panel + "\" a.csv\nexport \"" +
-                  panel + "\" a.svg\n"),
-              "")
-        << panel;
-    EXPECT_THAT(written("a.csv"), HasSubstr(",")) << panel;
-    EXPECT_THAT(written("a.svg"), HasSubstr("<polyline")) << panel;
-  }
-}
-
-TEST_P(Compare, ImageMapAndFunnelExportTheirNumbers) {
-  open();
-  ASSERT_EQ(run("run-to 30\nexport Image i.csv\nexport 3-D p.csv\nexport Funnel f.csv\n"), "");
-  EXPECT_THAT(written("i.csv"), HasSubstr(",Corner,Landmark,Inlier,"));
-  EXPECT_THAT(written("p.csv"), HasSubstr(",Segment,"));
-  EXPECT_THAT(written("f.csv"), HasSubstr("\n30,"));
-}
-
-TEST_P(Compare, WhatCannotBeExportedIsSaid) {
-  open();
-  ASSERT_EQ(run("run-to 30\nlayout Compare\n"), "");
-  EXPECT_THAT(run("export Log log.csv\n"), HasSubstr("has no numbers"));
-  EXPECT_THAT(run("export Image image.svg\n"), HasSubstr("has no charts"));
-  EXPECT_THAT(run("export Timing timing.svg\n"), HasSubstr("not on screen"));
-  EXPECT_THAT(run("export Plot plot.csv\n"), HasSubstr("no panel is called"));
-  EXPECT_THAT(run("export Plots plots.pdf\n"), HasSubstr(".csv, .svg or .png"));
-}
-
 TEST_P(Compare, EveryLayoutDrawsAtSeveralSizesAndScales) {
   open();
   EXPECT_EQ(
@@ -272,7 +135,7 @@ TEST(CompareAlone, ThePictureHasTheColourOfEveryRun) {
   std::vector<LockstepMember> members;
   const std::pair<const char*, double> bends[] = {{"svo", 1e-4}, {"pl-svo", -1e-4}, {"it-svo", 0}};
   for (const auto& [method, bend] : bends) {
-    members.push_back({std::make_unique<FakeRunner>(fake(method, 5, bend)), method, false});
+    members.push_back({std::make_unique<FakeRunner>(fakeRun(method, 5, bend)), method, false});
   }
   LockstepRunner runs(std::move(members), LockstepRunner::Drive::by_pump);
   Inspector inspector(runs, host->graphics());
