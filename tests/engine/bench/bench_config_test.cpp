@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "engine/bench/bench_plan.h"
+#include "engine/bench/cell_record.h"
 #include "tests/support/support.h"
 
 namespace svoscope {
