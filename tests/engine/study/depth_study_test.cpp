@@ -7,6 +7,7 @@
 
 #include "engine/io/depth_study_writer.h"
 #include "engine/io/lab_writer.h"
+#include "engine/study/rule_variants.h"
 #include "tests/support/support.h"
 
 namespace svoscope {
@@ -32,7 +33,7 @@ TEST(DepthStudy, SeedsFindTheDepthOfASmallSynthetic) {
   ASSERT_EQ(failure, "");
   EXPECT_EQ(result.frames, 50);
   EXPECT_EQ(result.keyframes, 3);
-  ASSERT_EQ(result.rows.size(), 4u);
+  ASSERT_EQ(result.rows.size(), ruleVariants().size());
   EXPECT_EQ(result.rows[0].rule, "KL");
   EXPECT_EQ(result.rows[3].rule, "JS both");
   for (const DepthStudyRow& r : result.rows) {

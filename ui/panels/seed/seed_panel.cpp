@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the selected seed believes: both rules, update by update.
+// What the selected seed believes: all rules, update by update.
 #include <algorithm>
 #include <cmath>
 
