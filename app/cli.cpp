@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kFooter =
     "A sequence is 'synthetic:PRESET' (built in), a folder (TUM RGB-D, EuRoC/ASL, KITTI odometry,\n"
-    "images with camera.yaml) or a video with camera.yaml beside it.\n"
+    "TUM-mono, images with a calibration) or a video with its calibration beside it.\n"
     "\n"
     "Examples:\n"
     "  svoscope synthetic:room                      watch the built-in room\n"
@@ -83,6 +83,7 @@ int runCommandLine(std::vector<std::string> arguments) {
   addShotCommand(app, action);
   addEvalCommand(app, action);
   addConvertCommand(app, action);
+  addCameraCommand(app, action);
   addBenchCommand(app, action);
   addSynthCommand(app, action);
   addLabCommand(app, action);

@@ -26,6 +26,7 @@ void addRunCommand(CLI::App& app, Action& action);
 void addShotCommand(CLI::App& app, Action& action);
 void addEvalCommand(CLI::App& app, Action& action);
 void addConvertCommand(CLI::App& app, Action& action);
+void addCameraCommand(CLI::App& app, Action& action);
 void addBenchCommand(CLI::App& app, Action& action);
 void addSynthCommand(CLI::App& app, Action& action);
 void addLabCommand(CLI::App& app, Action& action);

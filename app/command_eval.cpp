@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "app/command.h"
+#include "app/eval_input.h"
+#include "engine/eval/conventions.h"
 #include "engine/eval/evaluate.h"
 #include "engine/eval/trajectory_file.h"
 #include "engine/io/eval_plots.h"
@@ -19,11 +21,14 @@ namespace svoscope {
 namespace {
 
 constexpr const char* kFooter =
-    "Formats (TUM, EuRoC CSV, KITTI rows) are recognised. Poses are matched by timestamp; KITTI\n"
-    "rows, which have none, by row number. Conventions: docs/evaluation.md.\n"
+    "GROUNDTRUTH is a trajectory or a sequence that has one. Formats (TUM, EuRoC CSV, KITTI rows)\n"
+    "are recognised. Poses are matched by timestamp; KITTI rows, which have none, by row number.\n"
+    "Conventions: docs/evaluation.md.\n"
     "\n"
     "Examples:\n"
     "  svoscope eval groundtruth.txt trajectory.txt\n"
+    "  svoscope eval SEQUENCE trajectory.txt\n"
+    "  svoscope eval mocap0/data.csv a.txt --extrinsics sensor.yaml\n"
     "  svoscope eval groundtruth.txt a.txt b.txt --align se3 --delta 30f --all-pairs\n"
     "  svoscope eval groundtruth.txt a.txt --align-first 100 --plots figures\n"
     "  svoscope eval poses/00.txt orb.txt --delta 10m --json";
@@ -37,15 +42,8 @@ struct Arguments {
   std::string delta, plots;
   bool all_pairs = false;
   bool json = false;
+  EvalConventions conventions;
 };
-
-Result<TrajectoryFile> load(const std::string& file, RepeatedStamps repeats) {
-  auto loaded = loadTrajectory(file, repeats);
-  if (loaded.ok()) {
-    for (const std::string& warning : loaded.value().warnings) reportWarning(warning);
-  }
-  return loaded;
-}
 
 /// The options for one estimate: whether rows or timestamps are matched depends on both files.
 Result<EvalOptions> optionsFor(const Arguments& arguments, const TrajectoryFile& gt,
@@ -56,11 +54,13 @@ Result<EvalOptions> optionsFor(const Arguments& arguments, const TrajectoryFile&
   options.max_dt = arguments.max_dt;
   options.time_offset = arguments.offset;
   options.all_pairs = arguments.all_pairs;
+  options.orientations = !gt.positions_only && !est.positions_only;
   const bool gt_rows = gt.format == TrajectoryFormat::kitti;
   const bool est_rows = est.format == TrajectoryFormat::kitti;
   if (gt_rows != est_rows) {
-    return inputError("only one of the two files has timestamps", est_name,
-                      "give both as KITTI rows, or both with timestamps");
+    return inputError(
+        "only one of the two files has timestamps", est_name,
+        "give the rows their times: svoscope convert ROWS --times times.txt --to tum --out FILE");
   }
   options.by_row = gt_rows;
   if (options.by_row && options.time_offset != 0) {
@@ -77,16 +77,33 @@ Result<EvalOptions> optionsFor(const Arguments& arguments, const TrajectoryFile&
   return options;
 }
 
+/// What would fit far better by another convention, with the option that applies it.
+void sayDoubts(const TrajectoryFile& gt, const TrajectoryFile& est, const EvalResult& result,
+               const std::string& est_name) {
+  if (result.straight)
+    reportWarning(est_name + ": all positions lie on a line: the turn about it is left open");
+  const bool gt_tum = gt.format == TrajectoryFormat::tum && !gt.positions_only;
+  const bool est_tum = est.format == TrajectoryFormat::tum && !est.positions_only;
+  for (const ConventionDoubt& doubt :
+       conventionDoubts(gt.poses, est.poses, result, gt_tum, est_tum))
+    reportWarning(fmt::format("{}: {} ({})", est_name, doubt.text, doubt.option));
+}
+
 Result<EvalResult> evaluateFile(const Arguments& arguments, const TrajectoryFile& gt,
                                 const std::string& est_name) {
-  const auto est = load(est_name, RepeatedStamps::reject);
+  const auto est = loadEstimate(est_name, arguments.conventions);
   if (!est.ok()) return est.error();
   const auto options = optionsFor(arguments, gt, est.value(), est_name);
   if (!options.ok()) return options.error();
   auto result = evaluate(gt.poses, est.value().poses, options.value());
-  if (result.ok()) return result;
+  if (result.ok()) {
+    sayDoubts(gt, est.value(), result.value(), est_name);
+    return result;
+  }
   Error error = result.error();
   error.where = est_name + ", " + error.where;
+  const std::string clock = clockDoubt(gt.poses, est.value().poses);
+  if (!clock.empty() && !options.value().by_row) error.remedy = clock;
   return error;
 }
 
@@ -101,6 +118,8 @@ void printJson(const Arguments& arguments, const std::string& est_name, const Ev
                                        {"estimate", est_name},
                                        {"association", association},
                                        {"aligned_on", result.aligned_on},
+                                       {"coverage", result.coverage},
+                                       {"rpe_note", result.rpe_note},
                                        {"ate", ateJson(result)},
                                        {"rpe", rpeJson(result)}};
   fmt::print("{}\n", json.dump());
@@ -127,23 +146,26 @@ std::string alignmentText(const EvalOptions& o) {
 }
 
 void printTable(const std::vector<NamedEval>& rows) {
-  fmt::print("{:<32} {:>5} {:>9} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "estimate",
-             "align", "scale", "matched", "ATE rmse", "mean", "median", "max", "std", "RPE m",
-             "RPE rad");
+  fmt::print("{:<32} {:>5} {:>9} {:>11} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>6}\n",
+             "estimate", "align", "scale", "matched", "covered", "ATE rmse", "mean", "median",
+             "max", "std", "RPE m", "RPE rad", "pairs");
   for (const auto& [name, r] : rows) {
-    fmt::print("{:<32} {:>5} {:>9.6f} {:>11} {:>9.6f} {:>9.6f} {:>9.6f} {:>9.6f} {:>9.6f} ",
-               shortened(name, 32), alignmentName(r.options.alignment), r.scale,
-               fmt::format("{}/{}", r.matched, r.poses_est), r.ate.rmse, r.ate.mean, r.ate.median,
-               r.ate.max, r.ate.stddev);
+    fmt::print(
+        "{:<32} {:>5} {:>9.6f} {:>11} {:>7.1f}% {:>9.6f} {:>9.6f} {:>9.6f} {:>9.6f} {:>9.6f} ",
+        shortened(name, 32), alignmentName(r.options.alignment), r.scale,
+        fmt::format("{}/{}", r.matched, r.poses_est), 100 * r.coverage, r.ate.rmse, r.ate.mean,
+        r.ate.median, r.ate.max, r.ate.stddev);
     if (r.rpe) {
-      fmt::print("{:>9.6f} {:>9.6f}\n", r.rpe->trans_rmse_m, r.rpe->rot_rmse_rad);
+      fmt::print("{:>9.6f} {:>9.6f} {:>6}\n", r.rpe->trans_rmse_m, r.rpe->rot_rmse_rad,
+                 r.rpe->pairs);
     } else {
-      fmt::print("{:>9} {:>9}\n", "-", "-");
+      fmt::print("{:>9} {:>9} {:>6}  ({})\n", "-", "-", 0, r.rpe_note);
     }
   }
   const EvalOptions& o = rows.front().result.options;
   fmt::print("\nATE in m over {} poses of ground truth; matched by {}; alignment {}\n",
              rows.front().result.poses_gt, associationText(o), alignmentText(o));
+  fmt::print("covered: share of the ground truth's time between matches at most a second apart\n");
   fmt::print("RPE rmse over {}, {} pairs\n", o.delta.text(), o.all_pairs ? "all" : "consecutive");
 }
 
@@ -156,7 +178,7 @@ int runEval(const Arguments& arguments) {
     return reportError(usageError("nothing is aligned with --align none", "--align-first",
                                   "leave one of them out"));
   }
-  const auto gt = load(arguments.ground_truth, RepeatedStamps::warn);
+  const auto gt = loadGroundTruth(arguments.ground_truth, arguments.conventions);
   if (!gt.ok()) return reportError(gt.error());
   int exit_code = kExitDone;
   std::vector<NamedEval> rows;
@@ -188,7 +210,9 @@ void addEvalCommand(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("eval", "ATE and RPE of trajectories against ground truth");
   command->footer(kFooter);
-  command->add_option("GROUNDTRUTH", arguments->ground_truth, "Trajectory taken as true")
+  command
+      ->add_option("GROUNDTRUTH", arguments->ground_truth,
+                   "Trajectory taken as true, or a sequence that has one")
       ->required();
   command->add_option("ESTIMATE", arguments->estimates, "One or more trajectories")->required();
   command->add_option("--align", arguments->align, "Alignment before comparing")
@@ -215,6 +239,18 @@ void addEvalCommand(CLI::App& app, Action& action) {
       ->add_option("--plots", arguments->plots,
                    "Folder for trajectories.svg, error.svg, errors.csv")
       ->type_name("DIR");
+  EvalConventions& conventions = arguments->conventions;
+  command
+      ->add_option("--extrinsics", conventions.extrinsics,
+                   "Calibration with T_BS or T_cam_imu: GROUNDTRUTH is of the body")
+      ->type_name("FILE");
+  command
+      ->add_option("--quaternion", conventions.quaternion,
+                   "Order in TUM files: of both, or of one begun with w [xyzw]")
+      ->check(CLI::IsMember({"xyzw", "wxyz", "gt-wxyz", "est-wxyz"}));
+  command->add_flag("--invert", conventions.invert,
+                    "The estimates hold poses of the world in the camera");
+  command->add_flag("--mirror", conventions.mirror, "The estimates are of a left-handed world");
   command->add_flag("--json", arguments->json, "One JSON object a line for each estimate");
   command->callback([arguments, &action] { action = [arguments] { return runEval(*arguments); }; });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// svoscope lab: both rules of the depth filter on simulated seeds.
+// svoscope lab: every rule of the depth filter on simulated seeds.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

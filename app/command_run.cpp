@@ -129,7 +129,7 @@ int runOne(const Arguments& arguments, bool report, RunMetrics& metrics) {
   const auto recorder = std::make_shared<Recorder>();
   if (arguments.record) options.observer = recorder;
   if (arguments.depth_study) {
-    const Status possible = checkDepthStudy(arguments.run.sequence);  // now, not after the run
+    const Status possible = checkDepthStudy(arguments.run);  // now, not after the run
     if (!possible.ok()) return reportError(possible.error());
   }
   auto runner = arguments.run.open(options);

@@ -10,14 +10,14 @@
 
 namespace svoscope {
 
-Status checkDepthStudy(const std::string& name) {
-  auto sequence = openSequence(name);
+Status checkDepthStudy(const RunSettings& run) {
+  auto sequence = openSequence(run.sequence, run.input);
   return sequence.ok() ? depthStudyPossible(*sequence.value()) : sequence.error();
 }
 
 int runDepthStudyCommand(const RunSettings& run, const std::string& poses_from,
                          const std::string& out, const std::vector<FrameRecord>& records) {
-  auto sequence = openSequence(run.sequence);
+  auto sequence = openSequence(run.sequence, run.input);
   if (!sequence.ok()) return reportError(sequence.error());
   const Result<Parameters> parameters = run.parameters();
   if (!parameters.ok()) return reportError(parameters.error());

@@ -11,7 +11,7 @@
 namespace svoscope {
 
 /// Input error, before any work is done, if the sequence cannot be studied.
-Status checkDepthStudy(const std::string& sequence);
+Status checkDepthStudy(const RunSettings& run);
 
 /// Studies the sequence of `run` with poses from "groundtruth" or "estimate" (the `records` of a
 /// finished run, aligned), and writes the result into `out`. Returns the exit code.

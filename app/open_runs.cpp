@@ -77,7 +77,7 @@ class Opener {
   Status engines() {
     const Result<Parameters> checked = run_.parameters();  // before a large sequence is opened
     if (!checked.ok()) return checked.error();
-    auto opened = openSequence(run_.sequence);
+    auto opened = run_.openInput();
     if (!opened.ok()) return opened.error();
     const SequenceSharer sharer(std::move(opened).value());
     times_ = frameTimes(run_, *sharer.make());

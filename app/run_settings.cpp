@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/command.h"
 #include "engine/recording/open_run.h"
 
 namespace svoscope {
@@ -49,7 +50,17 @@ void RunSettings::addTo(CLI::App& command, bool required, const char* what) {
   CLI::Option* chosen_end =
       command.add_option("--max-frames", max_frames, "Stop after so many frames")
           ->check(CLI::Range(1, 1000000000));
-  of_engine_ = {chosen_method, chosen_config, chosen_set, chosen_start, chosen_end};
+  CLI::Option* chosen_camera =
+      command
+          .add_option("--camera", input.camera,
+                      "Calibration in place of the sequence's own, of any known tool")
+          ->type_name("FILE");
+  CLI::Option* chosen_rate =
+      command.add_option("--rate", input.rate_hz, "Frame rate of images without times")
+          ->check(CLI::Range(1e-3, 1e5))
+          ->type_name("HZ");
+  of_engine_ = {chosen_method, chosen_config, chosen_set, chosen_start,
+                chosen_end,    chosen_camera, chosen_rate};
 }
 
 Result<Parameters> RunSettings::parameters() const {
@@ -70,6 +81,14 @@ Result<Parameters> RunSettings::parameters() const {
   return parameters;
 }
 
+Result<std::unique_ptr<Sequence>> RunSettings::openInput() const {
+  auto opened = openSequence(sequence, input);
+  if (opened.ok()) {
+    for (const std::string& text : opened.value()->notes()) reportWarning(text);
+  }
+  return opened;
+}
+
 Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
   const Result<Parameters> checked = parameters();  // before a large sequence is opened
   if (!checked.ok()) return checked.error();
@@ -81,7 +100,7 @@ Result<std::unique_ptr<Runner>> RunSettings::open(RunnerOptions options) const {
     }
     return openRun(sequence, options);
   }
-  auto opened = openSequence(sequence);
+  auto opened = openInput();
   if (!opened.ok()) return opened.error();
   return open(std::move(options), std::move(opened).value());
 }

@@ -23,10 +23,14 @@ struct RunSettings {
   std::vector<std::string> assignments;  ///< "key=value"
   int start = 0;
   int max_frames = -1;
+  OpenOptions input;  ///< what the user says of the sequence: --camera, --rate
 
-  /// Adds SEQUENCE, --method, --config, --set, --start and --max-frames. `required`: SEQUENCE is.
+  /// Adds SEQUENCE, --method, --config, --set, --camera, --rate, --start and --max-frames.
+  /// `required`: SEQUENCE is.
   void addTo(CLI::App& command, bool required = true,
              const char* what = "Sequence (folder, video, synthetic:PRESET) or recording");
+  /// Opens the sequence, and prints what it has to say of itself.
+  Result<std::unique_ptr<Sequence>> openInput() const;
   /// Opens the sequence or recording and makes its runner; `options` brings what is not on the
   /// command line. Usage error for options of the engine with a recording.
   Result<std::unique_ptr<Runner>> open(RunnerOptions options) const;

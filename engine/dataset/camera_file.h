@@ -10,9 +10,7 @@
 
 namespace svoscope {
 
-/// Camera `cam0` of a Kalibr camchain; the keys may also stand at the top level, as in ASL files.
-/// Input error naming file and key: missing file or key, not a pinhole, values that fail
-/// Camera::check().
+/// The camera of a calibration file in any known layout (calibration/calibration.h), without notes.
 Result<Camera> readCameraFile(const std::filesystem::path& file);
 
 struct MountedCamera {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/base/text_rows.h"
-#include "engine/dataset/camera_file.h"
-#include "engine/dataset/ground_truth.h"
+#include "engine/dataset/find_calibration.h"
 #include "engine/dataset/list_sequence.h"
 #include "engine/dataset/loader.h"
+#include "engine/dataset/truth.h"
 
 namespace svoscope {
 namespace {
@@ -31,23 +31,28 @@ Result<std::vector<ImageEntry>> readImageList(const fs::path& file) {
   return entries;
 }
 
-Result<Trajectory> readCameraTruth(const fs::path& mav, const SE3& T_body_cam) {
+void attachBodyTruth(const fs::path& mav, const SE3& T_body_cam, ImageList& list) {
   for (const char* source : {"state_groundtruth_estimate0", "mocap0"}) {
     const fs::path file = mav / source / "data.csv";
-    if (!fs::exists(file)) continue;
-    auto truth = readEurocTrajectory(file);
-    if (!truth) return truth.error();
-    for (StampedPose& pose : truth.value()) pose.T_world_cam = pose.T_world_cam * T_body_cam;
-    return truth;
+    if (fs::exists(file)) return attachTruth(file, T_body_cam, list);
   }
-  return Trajectory{};
+}
+
+/// sensor.yaml of the camera, or what the user names, or a calibration beside (TUM-VI: dso/).
+Result<FoundCalibration> findSensor(const fs::path& folder, const fs::path& mav,
+                                    const OpenOptions& options) {
+  OpenOptions chosen = options;
+  const fs::path sensor = mav / "cam0" / "sensor.yaml";
+  const bool elsewhere = findCalibration(folder, options).ok();
+  if (options.camera.empty() && (fs::exists(sensor) || !elsewhere)) chosen.camera = sensor;
+  return findCalibration(folder, chosen);
 }
 
 bool isAsl(const fs::path& folder) {
   return fs::is_directory(folder / "mav0") || fs::is_directory(folder / "cam0");
 }
 
-OpenedSequence openFolder(const fs::path& folder) {
+OpenedSequence openFolder(const fs::path& folder, const OpenOptions& options) {
   const bool above = fs::is_directory(folder / "mav0");
   const fs::path mav = above ? folder / "mav0" : folder;
   ImageList list;
@@ -58,16 +63,18 @@ OpenedSequence openFolder(const fs::path& folder) {
   if (!entries) return entries.error();
   list.entries = std::move(entries.value());
 
-  const fs::path sensor = mav / "cam0" / "sensor.yaml";
-  const auto mounted = readSensorFile(sensor);
-  if (!mounted) return mounted.error();
-  list.camera = mounted.value().camera;
-  list.camera_source = sensor.string();
+  const auto found = findSensor(folder, mav, options);
+  if (!found) return found.error();
+  const Calibration& calibration = found.value().calibration;
+  list.camera = calibration.camera;
+  list.camera_source = found.value().file.string();
+  list.notes = calibration.notes;
   if (list.camera.rate_hz == 0) list.camera.rate_hz = medianRate(list.entries);
-
-  auto truth = readCameraTruth(mav, mounted.value().T_body_cam);
-  if (!truth) return truth.error();
-  list.truth = std::move(truth.value());
+  attachBodyTruth(mav, calibration.T_body_cam, list);
+  if (!list.truth.empty() && !calibration.has_body)
+    list.notes.push_back(
+        "the calibration does not say where the camera sits on the body: poses of "
+        "the body are taken as the camera's");
   return ListSequence::open(std::move(list));
 }
 

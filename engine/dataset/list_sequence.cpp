@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dataset/list_sequence.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -9,11 +11,14 @@
 #include <string_view>
 
 #include "engine/base/quantile.h"
+#include "engine/dataset/exif.h"
 
 namespace svoscope {
 namespace {
 
 namespace fs = std::filesystem;
+
+const char* const kCopyAgain = "copy or extract the sequence again";
 
 std::string sizeText(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
@@ -62,15 +67,21 @@ bool naturalLess(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-Result<cv::Mat> readImageFile(const fs::path& file, int flags) {
+Result<std::string> readImageBytes(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     return inputError("the image is missing", file.string(),
                       "restore the file or remove it from the list");
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  const char* const remedy = "copy or extract the sequence again";
-  if (bytes.empty()) return inputError("the image file is empty", file.string(), remedy);
-  if (endIsMissing(bytes)) return inputError("the image is truncated", file.string(), remedy);
+  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (bytes.empty()) return inputError("the image file is empty", file.string(), kCopyAgain);
+  if (endIsMissing(bytes)) return inputError("the image is truncated", file.string(), kCopyAgain);
+  return bytes;
+}
+
+Result<cv::Mat> readImageFile(const fs::path& file, int flags) {
+  const auto read = readImageBytes(file);
+  if (!read) return read.error();
+  const std::string& bytes = read.value();
   cv::Mat image;
   try {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
@@ -78,7 +89,7 @@ Result<cv::Mat> readImageFile(const fs::path& file, int flags) {
   } catch (const cv::Exception&) {
     image.release();
   }
-  if (image.empty()) return inputError("the image cannot be decoded", file.string(), remedy);
+  if (image.empty()) return inputError("the image cannot be decoded", file.string(), kCopyAgain);
   return image;
 }
 
@@ -124,11 +135,26 @@ Result<std::unique_ptr<Sequence>> ListSequence::open(ImageList list) {
   for (int i = 0; i < probes; ++i) {
     const fs::path& file = sequence->list_.entries[i].image;
     if (!readImageFile(file, cv::IMREAD_GRAYSCALE).ok() && i + 1 < probes) continue;
+    sequence->judgeOrientation(file);
     auto image = sequence->read(i);
     if (!image) return image.error();
     break;
   }
   return std::unique_ptr<Sequence>(std::move(sequence));
+}
+
+void ListSequence::judgeOrientation(const fs::path& file) {
+  const auto bytes = readImageBytes(file);
+  const int orientation = bytes.ok() ? exifOrientation(bytes.value()) : 1;
+  if (orientation == 1) return;
+  const auto stored = readImageFile(file, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+  const Pinhole& p = list_.camera.pinhole;
+  stored_orientation_ =
+      stored.ok() && stored.value().cols == p.width && stored.value().rows == p.height;
+  list_.notes.push_back(fmt::format(
+      "the images have the EXIF orientation {}: {}", orientation,
+      stored_orientation_ ? "not applied, as the calibration is for the pixels as stored"
+                          : "applied, as the calibration is for the turned images"));
 }
 
 cv::Mat ListSequence::toEightBits(const cv::Mat& image) {
@@ -149,7 +175,8 @@ cv::Mat ListSequence::toEightBits(const cv::Mat& image) {
 
 Result<SequenceImage> ListSequence::read(int index) {
   const ImageEntry& entry = list_.entries.at(index);
-  auto image = readImageFile(entry.image, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+  const int orientation = stored_orientation_ ? cv::IMREAD_IGNORE_ORIENTATION : 0;
+  auto image = readImageFile(entry.image, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH | orientation);
   if (!image) return image.error();
   if (image.value().depth() != CV_8U && image.value().depth() != CV_16U)
     return inputError("the pixels are neither 8-bit nor 16-bit integers", entry.image.string(),

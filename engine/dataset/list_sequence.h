@@ -24,6 +24,8 @@ struct ImageList {
   std::vector<ImageEntry> entries;
   double depth_scale = 5000;  ///< grey levels of the depth images per metre
   Trajectory truth;
+  TimeSource times = TimeSource::listed;
+  std::vector<std::string> notes;  ///< Sequence::notes()
 };
 
 class ListSequence : public Sequence {
@@ -36,6 +38,8 @@ class ListSequence : public Sequence {
   int size() const override { return static_cast<int>(list_.entries.size()); }
   const Camera& camera() const override { return list_.camera; }
   double timestamp(int index) const override { return list_.entries.at(index).timestamp; }
+  TimeSource timeSource() const override { return list_.times; }
+  std::vector<std::string> notes() const override { return list_.notes; }
   Result<SequenceImage> read(int index) override;
   const Trajectory& groundTruth() const override { return list_.truth; }
   Result<cv::Mat> readDepth(int index) override;
@@ -46,12 +50,19 @@ class ListSequence : public Sequence {
   cv::Mat toEightBits(const cv::Mat& image);
 
   ImageList list_;
-  double sixteen_bit_scale_ = 0;  ///< 0: no such image yet
+  /// Whether the images' EXIF orientation is applied: if the calibration is for turned images.
+  void judgeOrientation(const std::filesystem::path& file);
+
+  bool stored_orientation_ = false;  ///< pixels as stored, whatever the EXIF tag says
+  double sixteen_bit_scale_ = 0;     ///< 0: no such image yet
 };
 
 /// Decodes an image file; `flags` as for cv::imread. The error tells a missing from an empty, a
 /// truncated and an undecodable file. (cv::imread returns truncated JPEGs as if they were whole.)
 Result<cv::Mat> readImageFile(const std::filesystem::path& file, int flags);
+
+/// The bytes of an image file; the error tells a missing from an empty and a truncated file.
+Result<std::string> readImageBytes(const std::filesystem::path& file);
 
 /// The image files of a folder, "img2.png" before "img10.png". Empty if there are none.
 std::vector<std::filesystem::path> sortedImages(const std::filesystem::path& folder);

@@ -20,7 +20,7 @@ struct Loader {
   Takes takes;
   const char* layout;  ///< for the error that lists what is known: "mav0/ (EuRoC/ASL)"
   bool (*recognises)(const std::filesystem::path& path);
-  OpenedSequence (*open)(const std::filesystem::path& path);
+  OpenedSequence (*open)(const std::filesystem::path& path, const OpenOptions& options);
   /// Null, or: a part of the layout is there. Opened if nobody recognises the path, as its error
   /// says what is missing.
   bool (*resembles)(const std::filesystem::path& path) = nullptr;

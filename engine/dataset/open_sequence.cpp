@@ -11,7 +11,9 @@ namespace svoscope {
 Loader tumLoader();
 Loader eurocLoader();
 Loader kittiLoader();
+Loader tumMonoLoader();
 Loader imageFolderLoader();
+Loader videoFolderLoader();
 Loader videoLoader();
 
 namespace {
@@ -20,8 +22,9 @@ namespace fs = std::filesystem;
 
 /// In the order in which they are asked.
 const std::vector<Loader>& loaders() {
-  static const std::vector<Loader> rows = {tumLoader(), eurocLoader(), kittiLoader(),
-                                           imageFolderLoader(), videoLoader()};
+  static const std::vector<Loader> rows = {
+      tumLoader(),         eurocLoader(),       kittiLoader(), tumMonoLoader(),
+      imageFolderLoader(), videoFolderLoader(), videoLoader()};
   return rows;
 }
 
@@ -43,26 +46,31 @@ std::string knownKinds() {
          ", or " + listed(Loader::Takes::file);
 }
 
-OpenedSequence openPath(const std::string& spec) {
+OpenedSequence openPath(const std::string& spec, const OpenOptions& options) {
   const fs::path path(spec);
   std::error_code ec;
   if (spec.empty() || !fs::exists(path, ec))
     return inputError("there is no such file or folder", spec, knownKinds());
   const auto kind = fs::is_directory(path, ec) ? Loader::Takes::folder : Loader::Takes::file;
   for (const Loader& loader : loaders())
-    if (loader.takes == kind && loader.recognises(path)) return loader.open(path);
+    if (loader.takes == kind && loader.recognises(path)) return loader.open(path, options);
   for (const Loader& loader : loaders())
     if (loader.takes == kind && loader.resembles && loader.resembles(path))
-      return loader.open(path);
+      return loader.open(path, options);
   return inputError("no known sequence layout", spec, knownKinds());
 }
 
 }  // namespace
 
-OpenedSequence openSequence(const std::string& spec) {
-  if (isSyntheticSpec(spec)) return openSyntheticSequence(spec);
+OpenedSequence openSequence(const std::string& spec, const OpenOptions& options) {
+  if (isSyntheticSpec(spec)) {
+    if (!options.camera.empty() || options.rate_hz > 0)
+      return usageError("a rendered sequence has its own camera and times", spec,
+                        "leave out --camera and --rate");
+    return openSyntheticSequence(spec);
+  }
   try {
-    return openPath(spec);
+    return openPath(spec, options);
   } catch (const fs::filesystem_error& e) {
     return inputError(e.code().message(), spec, "check that you may read the folder");
   }

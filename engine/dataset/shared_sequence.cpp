@@ -56,6 +56,8 @@ class SharedSequence : public Sequence {
   int size() const override { return reader_->sequence().size(); }
   const Camera& camera() const override { return reader_->sequence().camera(); }
   double timestamp(int index) const override { return reader_->sequence().timestamp(index); }
+  TimeSource timeSource() const override { return reader_->sequence().timeSource(); }
+  std::vector<std::string> notes() const override { return reader_->sequence().notes(); }
   Result<SequenceImage> read(int index) override { return reader_->read(index); }
   const Trajectory& groundTruth() const override { return reader_->sequence().groundTruth(); }
   Result<cv::Mat> readDepth(int index) override { return reader_->readDepth(index); }

@@ -13,8 +13,7 @@ namespace {
 constexpr double kRankTolerance = 1e-12;
 
 Error degenerate(const std::string& what) {
-  return inputError(what, "alignment",
-                    "needs three or more matched positions that do not lie on one line");
+  return inputError(what, "alignment", "needs three or more matched positions that move");
 }
 
 Vec3 mean(const std::vector<Vec3>& points) {
@@ -45,7 +44,8 @@ Result<Alignment> parseAlignment(const std::string& name) {
 }
 
 Result<Sim3> alignPoints(const std::vector<Vec3>& source, const std::vector<Vec3>& target,
-                         Alignment alignment) {
+                         Alignment alignment, bool* straight) {
+  if (straight) *straight = false;
   if (alignment == Alignment::none) return Sim3();
   if (source.size() != target.size() || source.size() < 3) {
     return degenerate(fmt::format("only {} matched positions", source.size()));
@@ -65,7 +65,7 @@ Result<Sim3> alignPoints(const std::vector<Vec3>& source, const std::vector<Vec3
   // Against the spread of both sets: if one of them stays in place everything is rounding noise.
   const double spread = std::sqrt(variance_source * variance_target);
   if (!(d[0] > kRankTolerance * spread) || !(d[0] > 0)) return degenerate("no common motion");
-  if (d[1] <= kRankTolerance * d[0]) return degenerate("the positions lie on one line");
+  if (straight) *straight = d[1] <= kRankTolerance * d[0];
 
   Vec3 sign(1, 1, 1);  // eq. 39: a rotation, not a reflection
   if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) sign[2] = -1;

@@ -27,9 +27,10 @@ struct Sim3 {
 };
 
 /// The S that minimises sum |target_i - S * source_i|^2; scale 1 unless sim3, identity for none.
-/// Input error if fewer than three points, or if one set lies in a point or on a line, where the
-/// rotation is not determined.
+/// Points on a line leave the rotation about it open: any of the equally good ones is returned, and
+/// `straight` (if given) set. Input error if fewer than three points, or if one set lies in a
+/// point.
 Result<Sim3> alignPoints(const std::vector<Vec3>& source, const std::vector<Vec3>& target,
-                         Alignment alignment);
+                         Alignment alignment, bool* straight = nullptr);
 
 }  // namespace svoscope

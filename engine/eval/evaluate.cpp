@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/stamps.h"
 #include "engine/eval/association.h"
 
 namespace svoscope {
@@ -33,6 +34,22 @@ std::vector<Vec3> positions(const Trajectory& poses, std::size_t count) {
   result.reserve(count);
   for (std::size_t i = 0; i < count; ++i) result.push_back(poses[i].T_world_cam.translation());
   return result;
+}
+
+/// `matched`: the poses of the ground truth that have a match, by time.
+double coverageOf(const Trajectory& truth, const Trajectory& matched, bool by_row) {
+  const double rows = static_cast<double>(matched.size()) / static_cast<double>(truth.size());
+  const double whole = truth.back().timestamp - truth.front().timestamp;
+  if (by_row || !(whole > 0)) return std::min(1.0, rows);
+  std::vector<double> times;
+  for (const StampedPose& pose : truth) times.push_back(pose.timestamp);
+  const double limit = std::max(1.0, 2 * medianStep(times));
+  double covered = 0;
+  for (std::size_t i = 1; i < matched.size(); ++i) {
+    const double gap = matched[i].timestamp - matched[i - 1].timestamp;
+    if (gap > 0 && gap <= limit) covered += gap;
+  }
+  return covered / whole;
 }
 
 Trajectory shifted(const Trajectory& poses, double offset) {
@@ -81,10 +98,11 @@ Result<EvalResult> evaluate(const Trajectory& ground_truth, const Trajectory& es
   const std::size_t first =
       options.align_first > 0 ? static_cast<std::size_t>(options.align_first) : est.size();
   const std::size_t count = std::min(first, est.size());
-  const auto T_gt_est = alignPoints(positions(est, count), positions(gt, count), options.alignment);
+  EvalResult result;
+  const auto T_gt_est =
+      alignPoints(positions(est, count), positions(gt, count), options.alignment, &result.straight);
   if (!T_gt_est.ok()) return T_gt_est.error();
 
-  EvalResult result;
   result.options = options;
   result.aligned_on = options.alignment == Alignment::none ? 0 : static_cast<int>(count);
   result.T_gt_est = T_gt_est.value();
@@ -92,6 +110,7 @@ Result<EvalResult> evaluate(const Trajectory& ground_truth, const Trajectory& es
   result.matched = static_cast<int>(est.size());
   result.poses_gt = static_cast<int>(ground_truth.size());
   result.poses_est = static_cast<int>(estimate.size());
+  result.coverage = coverageOf(ground_truth, gt, options.by_row);
   std::vector<double> distances;
   for (std::size_t i = 0; i < est.size(); ++i) {
     est[i].T_world_cam = result.T_gt_est * est[i].T_world_cam;
@@ -101,7 +120,12 @@ Result<EvalResult> evaluate(const Trajectory& ground_truth, const Trajectory& es
     result.errors.push_back({est[i].timestamp, distances.back(), p_gt, p_est});
   }
   result.ate = statisticsOf(std::move(distances));
-  result.rpe = relativeError(gt, est, options);
+  if (options.orientations) result.rpe = relativeError(gt, est, options);
+  if (!options.orientations) {
+    result.rpe_note = "orientations are not known";
+  } else if (!result.rpe) {
+    result.rpe_note = "no matched poses are " + options.delta.text() + " apart";
+  }
   return result;
 }
 

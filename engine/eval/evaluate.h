@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -20,6 +21,7 @@ struct EvalOptions {
   int align_first = 0;                    ///< align on the first so many matches; 0: on all
   Delta delta;                            ///< interval of the relative error
   bool all_pairs = false;                 ///< relative error over overlapping pairs
+  bool orientations = true;               ///< both know them; without, no relative error
 };
 
 /// Statistics of distances, metres.
@@ -47,12 +49,17 @@ struct EvalResult {
   EvalOptions options;               ///< as used: alignment mode, association limit, interval
   int aligned_on = 0;                ///< matches the alignment was computed from; 0 without one
   ErrorStatistics ate;               ///< of the aligned positions
-  std::optional<RelativeError> rpe;  ///< empty if no two matched poses are one interval apart
-  double scale = 1;                  ///< ground truth metres per unit of the estimate
-  int matched = 0;                   ///< pose pairs
-  int poses_gt = 0, poses_est = 0;   ///< in the trajectories given
-  Sim3 T_gt_est;                     ///< world of the estimate to world of the ground truth
-  std::vector<PoseError> errors;     ///< one per match, by time
+  std::optional<RelativeError> rpe;  ///< empty: rpe_note says why
+  std::string rpe_note;
+  double scale = 1;                 ///< ground truth metres per unit of the estimate
+  int matched = 0;                  ///< pose pairs
+  int poses_gt = 0, poses_est = 0;  ///< in the trajectories given
+  /// Share of the ground truth's time between matches that follow one another within a second (or
+  /// twice its own step, if that is more); by rows, share of its rows.
+  double coverage = 0;
+  bool straight = false;          ///< all on a line: the rotation about it is not determined
+  Sim3 T_gt_est;                  ///< world of the estimate to world of the ground truth
+  std::vector<PoseError> errors;  ///< one per match, by time
 };
 
 /// Associates, aligns and compares. Both trajectories must be sorted by time. Input error if

@@ -24,6 +24,7 @@ struct SeedFigures {
 
 struct RunMetrics {
   std::string method;
+  std::string times = "listed";   ///< where the times of the images come from; "assumed": no errors
   int frames = 0;                 ///< passed through the engine, unreadable ones included
   int maps = 0;                   ///< with a good pose; poses of different maps make no trajectory
   int tracked = 0;                ///< with a good pose in the map that has most of them

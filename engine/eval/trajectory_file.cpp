@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <fstream>
 #include <optional>
 
 #include "engine/base/text_rows.h"
+#include "engine/eval/trajectory_rows.h"
 
 namespace svoscope {
 
@@ -16,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kLayouts =
-    "rows are 'timestamp tx ty tz qx qy qz qw' (TUM), EuRoC CSV or 12 numbers (KITTI), sorted by "
-    "time";
-// No time in seconds is this large: some systems write nanoseconds into the TUM layout.
-constexpr double kSmallestNanoseconds = 1e14;
-// Published files carry as few as four decimals, so unit length is met only roughly.
-constexpr double kRotationTolerance = 0.1;
 // More repeated timestamps than this fraction are no slip of the recorder.
 constexpr double kMostRepeats = 0.1;
 
@@ -41,15 +36,6 @@ bool separatedByCommas(const fs::path& file) {
   return false;
 }
 
-std::optional<TrajectoryFormat> recognise(const TextRow& row, bool commas) {
-  const std::size_t columns = row.fields.size();
-  if (!commas && columns == 12) return TrajectoryFormat::kitti;
-  const bool whole_stamp = parseNanoseconds(row.fields[0]).has_value();
-  if (columns == 8 && !(commas && whole_stamp)) return TrajectoryFormat::tum;
-  if (columns >= 8 && commas) return TrajectoryFormat::euroc;
-  return std::nullopt;
-}
-
 /// Names of the columns in a first line without '#', as some tools write it.
 bool isHeader(const TextRow& row) {
   const std::string& name = row.fields[0];
@@ -57,61 +43,87 @@ bool isHeader(const TextRow& row) {
   return (std::isalpha(first) || first == '"') && !parseNumber(name);  // "nan" is no name
 }
 
-std::optional<std::string> poseOfQuaternion(const Vec3& t, const Eigen::Quaterniond& q, SE3& pose) {
-  const double norm = q.norm();
-  if (norm < 1e-9) return std::string("the quaternion is zero");
-  if (std::abs(norm - 1.0) > kRotationTolerance) {
-    return fmt::format("the quaternion has length {:.4g}, not 1", norm);
-  }
-  pose = SE3(q, t);
-  return std::nullopt;
-}
+/// A row with its time and pose, and where it stands.
+struct ReadRow {
+  double timestamp = 0;
+  RowPose pose;
+  int line = 0;
+};
 
-std::optional<std::string> poseOfMatrix(const std::vector<double>& n, SE3& pose) {
-  Mat3 R;
-  R << n[0], n[1], n[2], n[4], n[5], n[6], n[8], n[9], n[10];
-  const double deviation = (R * R.transpose() - Mat3::Identity()).norm();
-  if (deviation > kRotationTolerance || R.determinant() < 0) {
-    return std::string("the 3x3 part is not a rotation");
-  }
-  pose = SE3(R, Vec3(n[3], n[7], n[11]));
-  return std::nullopt;
-}
-
-/// The pose of a row; KITTI rows get `number` as timestamp.
-Result<StampedPose> poseOfRow(const TextRow& row, TrajectoryFormat format, int number,
-                              const fs::path& file) {
-  const std::size_t columns = format == TrajectoryFormat::kitti ? 12 : 8;
-  const auto numbers = finiteNumbers(row, 0, columns, file, kLayouts);
-  if (!numbers.ok()) return numbers.error();
-  if (format != TrajectoryFormat::euroc && row.fields.size() != columns) {
-    return inputError(fmt::format("{} fields instead of {}", row.fields.size(), columns),
-                      place(file, row.line), kLayouts);
-  }
-  const auto& n = numbers.value();
-  StampedPose pose;
-  std::optional<std::string> wrong;
+/// Times of all rows; KITTI rows count from zero.
+Result<std::vector<double>> timesOf(const std::vector<TextRow>& rows, std::size_t first,
+                                    TrajectoryFormat format, const fs::path& file) {
+  std::vector<double> times;
   if (format == TrajectoryFormat::kitti) {
-    pose.timestamp = number;
-    wrong = poseOfMatrix(n, pose.T_world_cam);
-  } else if (format == TrajectoryFormat::euroc) {
-    pose.timestamp = parseNanoseconds(row.fields[0]).value_or(n[0] * 1e-9);
-    wrong = poseOfQuaternion(Vec3(n[1], n[2], n[3]), Eigen::Quaterniond(n[4], n[5], n[6], n[7]),
-                             pose.T_world_cam);
-  } else {
-    pose.timestamp = std::abs(n[0]) > kSmallestNanoseconds ? n[0] * 1e-9 : n[0];
-    wrong = poseOfQuaternion(Vec3(n[1], n[2], n[3]), Eigen::Quaterniond(n[7], n[4], n[5], n[6]),
-                             pose.T_world_cam);
+    for (std::size_t i = first; i < rows.size(); ++i)
+      times.push_back(static_cast<double>(i - first));
+    return times;
   }
-  if (wrong) return inputError(*wrong, place(file, row.line), kLayouts);
-  return pose;
+  std::vector<std::string> fields;
+  for (std::size_t i = first; i < rows.size(); ++i) fields.push_back(rows[i].fields[0]);
+  std::size_t bad = 0;
+  auto stamps = readStamps(fields, &bad);
+  if (!stamps) {
+    return inputError("'" + fields[bad] + "' is not a finite number",
+                      place(file, rows[first + bad].line), kTrajectoryLayouts);
+  }
+  return std::move(stamps->seconds);
+}
+
+/// Rows without a pose: passed over in a ground truth, an error in an estimate. A ground truth with
+/// mostly positions is one of positions.
+Status dropBadRows(std::vector<ReadRow>& rows, TrajectoryUse use, const fs::path& file,
+                   TrajectoryFile& result) {
+  const auto bad = [&](const ReadRow& r) {
+    return !r.pose.finite || (!r.pose.oriented && !result.positions_only);
+  };
+  const auto unoriented = std::count_if(
+      rows.begin(), rows.end(), [](const ReadRow& r) { return r.pose.finite && !r.pose.oriented; });
+  if (use == TrajectoryUse::ground_truth && result.format != TrajectoryFormat::kitti &&
+      2 * static_cast<std::size_t>(unoriented) > rows.size()) {
+    result.positions_only = true;
+    result.warnings.push_back(fmt::format(
+        "{}: {} of {} rows have no orientation (zero or not finite): only positions are used",
+        file.string(), unoriented, rows.size()));
+  }
+  const auto first = std::find_if(rows.begin(), rows.end(), bad);
+  if (first == rows.end()) return Done{};
+  const bool matrix = result.format == TrajectoryFormat::kitti;  // rows are numbered: none may go
+  if (use == TrajectoryUse::estimate || matrix || first->pose.problem.find("length") == 15) {
+    return inputError(first->pose.problem, place(file, first->line), kTrajectoryLayouts);
+  }
+  result.skipped_rows = static_cast<int>(std::count_if(rows.begin(), rows.end(), bad));
+  result.warnings.push_back(fmt::format("{}: {} of {} rows are passed over: {}",
+                                        place(file, first->line), result.skipped_rows, rows.size(),
+                                        first->pose.problem));
+  rows.erase(std::remove_if(rows.begin(), rows.end(), bad), rows.end());
+  if (rows.empty())
+    return inputError("the file holds no finite pose", file.string(), kTrajectoryLayouts);
+  return Done{};
+}
+
+Status bringInOrder(std::vector<ReadRow>& rows, TrajectoryUse use, const fs::path& file,
+                    TrajectoryFile& result) {
+  const auto earlier = [](const ReadRow& a, const ReadRow& b) { return a.timestamp < b.timestamp; };
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (!earlier(rows[i], rows[i - 1])) continue;
+    if (use == TrajectoryUse::estimate) {
+      return inputError(
+          fmt::format("timestamp {:.6f} is earlier than the one above", rows[i].timestamp),
+          place(file, rows[i].line), "sort the rows by time");
+    }
+    std::stable_sort(rows.begin(), rows.end(), earlier);
+    result.warnings.push_back(place(file, rows[i].line) + ": the rows were sorted by time");
+    break;
+  }
+  return Done{};
 }
 
 /// Lines whose timestamp repeats the one above: few give a warning, many an error.
-Status judgeRepeats(const std::vector<int>& lines, const fs::path& file, RepeatedStamps repeats,
+Status judgeRepeats(const std::vector<int>& lines, const fs::path& file, TrajectoryUse use,
                     TrajectoryFile& result) {
   if (lines.empty()) return Done{};
-  if (repeats == RepeatedStamps::reject) {
+  if (use == TrajectoryUse::estimate) {
     return inputError(
         fmt::format("the timestamp is that of the row above ({} such rows)", lines.size()),
         place(file, lines.front()),
@@ -129,6 +141,19 @@ Status judgeRepeats(const std::vector<int>& lines, const fs::path& file, Repeate
   return Done{};
 }
 
+Result<std::vector<ReadRow>> readRows(const std::vector<TextRow>& rows, std::size_t first,
+                                      const RowForm& form, const fs::path& file) {
+  const auto times = timesOf(rows, first, form.format, file);
+  if (!times.ok()) return times.error();
+  std::vector<ReadRow> result;
+  for (std::size_t i = first; i < rows.size(); ++i) {
+    auto pose = poseOfRow(rows[i], form, place(file, rows[i].line));
+    if (!pose.ok()) return pose.error();
+    result.push_back({times.value()[i - first], std::move(pose).value(), rows[i].line});
+  }
+  return result;
+}
+
 }  // namespace
 
 const char* trajectoryFormatName(TrajectoryFormat format) {
@@ -143,36 +168,36 @@ const char* trajectoryFormatName(TrajectoryFormat format) {
   return "unknown";
 }
 
-Result<TrajectoryFile> loadTrajectory(const fs::path& file, RepeatedStamps repeats) {
-  const auto read = readTextRows(file, "expected a trajectory file");
-  if (!read.ok()) return read.error();
-  const std::vector<TextRow>& rows = read.value();
-  const std::size_t first = !rows.empty() && isHeader(rows.front()) ? 1 : 0;
-  if (rows.size() == first) return inputError("the file holds no pose", file.string(), kLayouts);
-  const auto format = recognise(rows[first], separatedByCommas(file));
-  if (!format) {
-    return inputError(fmt::format("{} columns are no known format", rows[first].fields.size()),
-                      place(file, rows[first].line), kLayouts);
+Result<TrajectoryFile> loadTrajectory(const fs::path& file, const TrajectoryReading& reading) {
+  const auto text = readTextRows(file, "expected a trajectory file");
+  if (!text.ok()) return text.error();
+  const std::vector<TextRow>& lines = text.value();
+  const std::size_t first = !lines.empty() && isHeader(lines.front()) ? 1 : 0;
+  if (lines.size() == first)
+    return inputError("the file holds no pose", file.string(), kTrajectoryLayouts);
+  auto form = recogniseForm(lines[first], separatedByCommas(file));
+  if (!form) {
+    return inputError(fmt::format("{} columns are no known format", lines[first].fields.size()),
+                      place(file, lines[first].line), kTrajectoryLayouts);
   }
+  form->quaternion = reading.quaternion;
   TrajectoryFile result;
-  result.format = *format;
+  result.format = form->format;
+  result.positions_only = !form->orientation;
+  auto rows = readRows(lines, first, *form, file);
+  if (!rows.ok()) return rows.error();
+  Status good = dropBadRows(rows.value(), reading.use, file, result);
+  if (good.ok()) good = bringInOrder(rows.value(), reading.use, file, result);
+  if (!good.ok()) return good.error();
   std::vector<int> repeated;
-  for (std::size_t i = first; i < rows.size(); ++i) {
-    const auto pose = poseOfRow(rows[i], *format, static_cast<int>(i - first), file);
-    if (!pose.ok()) return pose.error();
-    const double previous = result.poses.empty() ? -HUGE_VAL : result.poses.back().timestamp;
-    if (pose.value().timestamp < previous) {
-      return inputError(
-          fmt::format("timestamp {:.6f} is earlier than the one above", pose.value().timestamp),
-          place(file, rows[i].line), "sort the rows by time");
-    }
-    if (pose.value().timestamp == previous) {
-      repeated.push_back(rows[i].line);
+  for (const ReadRow& row : rows.value()) {
+    if (!result.poses.empty() && row.timestamp == result.poses.back().timestamp) {
+      repeated.push_back(row.line);
     } else {
-      result.poses.push_back(pose.value());
+      result.poses.push_back({row.timestamp, row.pose.pose});
     }
   }
-  const Status judged = judgeRepeats(repeated, file, repeats, result);
+  const Status judged = judgeRepeats(repeated, file, reading.use, result);
   if (!judged.ok()) return judged.error();
   return result;
 }

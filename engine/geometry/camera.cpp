@@ -11,19 +11,33 @@ const double kPi = 3.14159265358979323846;
 const double kNaN = std::numeric_limits<double>::quiet_NaN();
 const int kMaxIterations = 50;
 
-/// d of the radial part r (1 + k1 r^2 + k2 r^4 + k3 r^6); u = r^2. Not positive: the lens model
-/// folds back and pixels there have no unique ray.
-double radialSlope(const std::vector<double>& k, double u) {
+/// Radial factor (1 + k1 u + k2 u^2 + k3 u^3) / (1 + k4 u + k5 u^2 + k6 u^3) and its derivative in
+/// u = r^2.
+struct Radial {
+  double value = 1, slope = 0;
+};
+Radial radialPart(const std::vector<double>& k, double u) {
   const double k3 = k.size() > 4 ? k[4] : 0.0;
-  return 1.0 + u * (3.0 * k[0] + u * (5.0 * k[1] + u * 7.0 * k3));
+  const double above = 1.0 + u * (k[0] + u * (k[1] + u * k3));
+  const double d_above = k[0] + u * (2.0 * k[1] + u * 3.0 * k3);
+  if (k.size() < 8) return {above, d_above};
+  const double below = 1.0 + u * (k[5] + u * (k[6] + u * k[7]));
+  const double d_below = k[5] + u * (2.0 * k[6] + u * 3.0 * k[7]);
+  return {above / below, (d_above * below - above * d_below) / (below * below)};
+}
+
+/// d of r times the radial factor; u = r^2. Not positive: the lens model folds back and pixels
+/// there have no unique ray.
+double radialSlope(const std::vector<double>& k, double u) {
+  const Radial radial = radialPart(k, u);
+  return radial.value + 2.0 * u * radial.slope;
 }
 
 Vec2 distortRadtan(const std::vector<double>& k, const Vec2& x, Mat2* J) {
-  const double k3 = k.size() > 4 ? k[4] : 0.0, p1 = k[2], p2 = k[3];
+  const double p1 = k[2], p2 = k[3];
   const double u = x.squaredNorm(), a = x.x(), b = x.y();
-  const double radial = 1.0 + u * (k[0] + u * (k[1] + u * k3));
+  const auto [radial, slope] = radialPart(k, u);
   if (J) {
-    const double slope = k[0] + u * (2.0 * k[1] + u * 3.0 * k3);  // d radial / d u
     *J << radial + 2 * a * a * slope + 2 * p1 * b + 6 * p2 * a,
         2 * a * b * slope + 2 * p1 * a + 2 * p2 * b,  //
         2 * a * b * slope + 2 * p1 * a + 2 * p2 * b,
@@ -111,7 +125,7 @@ bool countFits(Distortion d, size_t n) {
     case Distortion::none:
       return n == 0;
     case Distortion::radtan:
-      return n == 4 || n == 5;
+      return n == 4 || n == 5 || n == 8;
     case Distortion::equidistant:
       return n == 4;
     case Distortion::fov:
@@ -125,7 +139,7 @@ const char* expectedCount(Distortion d) {
     case Distortion::none:
       return "none has no coefficients";
     case Distortion::radtan:
-      return "radtan has 4 or 5 coefficients: k1 k2 p1 p2 [k3]";
+      return "radtan has 4, 5 or 8 coefficients: k1 k2 p1 p2 [k3 [k4 k5 k6]]";
     case Distortion::equidistant:
       return "equidistant has 4 coefficients: k1 k2 k3 k4";
     case Distortion::fov:

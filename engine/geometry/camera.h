@@ -46,7 +46,8 @@ struct Pinhole {
 enum class Distortion { none, radtan, equidistant, fov };
 
 /// Camera of the images on disk: pinhole with lens distortion.
-/// radtan: k1 k2 p1 p2 [k3] (Brown-Conrady); equidistant: k1..k4 (Kannala-Brandt);
+/// radtan: k1 k2 p1 p2 [k3] (Brown-Conrady), with k4 k5 k6 the rational model of OpenCV;
+/// equidistant: k1..k4 (Kannala-Brandt);
 /// fov: one coefficient w in radians (Devernay-Faugeras).
 struct Camera {
   Pinhole pinhole;

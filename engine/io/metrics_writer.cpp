@@ -34,15 +34,16 @@ std::string evaluationText(const RunMetrics& metrics) {
   }
   const EvalResult& e = *metrics.evaluation;
   std::string text = fmt::format(
-      "ATE         {:.4f} m rmse (align {}, scale {:.4f}, {} of {} poses matched within {} s)\n",
+      "ATE         {:.4f} m rmse (align {}, scale {:.4f}, {} of {} poses matched within {} s, "
+      "{:.0f} % of the ground truth covered)\n",
       e.ate.rmse, alignmentName(e.options.alignment), e.scale, e.matched, e.poses_est,
-      e.options.max_dt);
+      e.options.max_dt, 100 * e.coverage);
   if (e.rpe) {
     text +=
         fmt::format("RPE         {:.4f} m, {:.5f} rad rmse (over {}, {} pairs)\n",
                     e.rpe->trans_rmse_m, e.rpe->rot_rmse_rad, e.options.delta.text(), e.rpe->pairs);
   } else {
-    text += fmt::format("RPE         not known: no poses are {} apart\n", e.options.delta.text());
+    text += fmt::format("RPE         not known: {}\n", e.rpe_note);
   }
   return text;
 }
@@ -52,19 +53,18 @@ std::string evaluationText(const RunMetrics& metrics) {
 Json ateJson(const std::optional<EvalResult>& evaluation) {
   if (!evaluation) return nullptr;
   const EvalResult& e = *evaluation;
-  return {{"rmse_m", e.ate.rmse},
-          {"mean_m", e.ate.mean},
-          {"median_m", e.ate.median},
-          {"max_m", e.ate.max},
-          {"scale", e.scale},
-          {"matched", e.matched},
-          {"alignment", alignmentName(e.options.alignment)}};
+  return {{"rmse_m", e.ate.rmse},     {"mean_m", e.ate.mean},
+          {"median_m", e.ate.median}, {"max_m", e.ate.max},
+          {"scale", e.scale},         {"matched", e.matched},
+          {"coverage", e.coverage},   {"alignment", alignmentName(e.options.alignment)}};
 }
 
 Json rpeJson(const std::optional<EvalResult>& evaluation) {
   if (!evaluation || !evaluation->rpe) return nullptr;
   return {{"trans_rmse_m", evaluation->rpe->trans_rmse_m},
           {"rot_rmse_rad", evaluation->rpe->rot_rmse_rad},
+          {"pairs", evaluation->rpe->pairs},
+          {"pairs", evaluation->rpe->pairs},
           {"delta", evaluation->options.delta.text()}};
 }
 
@@ -75,7 +75,8 @@ Json metricsJson(const RunMetrics& metrics) {
     times[stageName(static_cast<Stage>(i))] =
         time.frames ? Json{{"median", time.median_ms}, {"p95", time.p95_ms}} : Json(nullptr);
   }
-  Json json = {{"frames", metrics.frames},
+  Json json = {{"times", metrics.times},
+               {"frames", metrics.frames},
                {"tracked", metrics.tracked},
                {"maps", metrics.maps},
                {"init_frame", orNull(metrics.init_frame)},

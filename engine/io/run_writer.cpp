@@ -118,6 +118,7 @@ RunMetrics RunWriter::metrics(const SnapshotPtr& last, int frames,
                               const EvalOptions& evaluation) const {
   RunMetrics m = metricsOfRecords(records_, frames);
   m.method = info_.method;
+  m.times = info_.times;
   const double wall_s = watch_.ms() * 1e-3;
   m.fps = wall_s > 0 ? m.frames / wall_s : 0;
   m.peak_rss_mb = peakRssMb();
@@ -128,7 +129,8 @@ RunMetrics RunWriter::metrics(const SnapshotPtr& last, int frames,
     m.seeds.updates_to_converge_median = interpolatedQuantile(std::move(updates), 0.5);
   }
   if (info_.ground_truth.empty()) {
-    m.evaluation_note = "the sequence has no ground truth";
+    m.evaluation_note =
+        info_.truth_note.empty() ? "the sequence has no ground truth" : info_.truth_note;
   } else if (m.maps == 0) {
     m.evaluation_note = "no pose was estimated";
   } else {

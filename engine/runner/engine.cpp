@@ -24,6 +24,13 @@ Engine::Engine(std::unique_ptr<Sequence> sequence, const Parameters& parameters,
   info_.camera = rectifier_.pinhole();
   info_.original_camera = sequence_->camera();
   info_.ground_truth = sequence_->groundTruth();
+  info_.times = timeSourceName(sequence_->timeSource());
+  info_.notes = sequence_->notes();
+  if (sequence_->timeSource() == TimeSource::assumed && !info_.ground_truth.empty()) {
+    // Matched by assumed times, the errors would look right and be wrong.
+    info_.ground_truth.clear();
+    info_.truth_note = "the times of the images are assumed: give their rate with --rate HZ";
+  }
 }
 
 cv::Mat Engine::rectifiedDepth(int frame_index) {
@@ -34,6 +41,7 @@ cv::Mat Engine::rectifiedDepth(int frame_index) {
 void Engine::step() {
   if (finished()) return;
   const int index = next_++;
+  const bool first = index == start_;
   Stopwatch watch;
   Result<SequenceImage> image = sequence_->read(index);
   const double read_ms = watch.lapMs();
@@ -45,6 +53,7 @@ void Engine::step() {
     record_.state = tracker_.record().state;
     record_.reason = "image not readable";
     events_ = {{index, EventKind::warning, image.error().message()}};
+    if (first) addNotes();
     return;
   }
   const cv::Mat gray = rectifier_.rectify(image.value().gray);
@@ -54,6 +63,14 @@ void Engine::step() {
   record_.time_ms[static_cast<int>(Stage::read)] = read_ms;
   record_.time_ms[static_cast<int>(Stage::rectify)] = rectify_ms;
   events_ = tracker_.events();
+  if (first) addNotes();
+}
+
+/// The log begins with what was assumed.
+void Engine::addNotes() {
+  std::vector<Event> notes;
+  for (const std::string& text : info_.notes) notes.push_back({start_, EventKind::info, text});
+  events_.insert(events_.begin(), notes.begin(), notes.end());
 }
 
 void Engine::refreshRecord() {

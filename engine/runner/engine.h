@@ -36,7 +36,7 @@ class Engine {
   /// Copies what mapping added to the frame's record after step().
   void refreshRecord();
 
-  /// On: snapshots hold both rules of the depth filter and every seed update
+  /// On: snapshots hold every rule of the depth filter and every seed update
   /// (Tracker::setInspected).
   void setInspected(bool on) { tracker_.setInspected(on); }
 
@@ -49,6 +49,7 @@ class Engine {
   const RunInfo& info() const { return info_; }
 
  private:
+  void addNotes();
   cv::Mat rectifiedDepth(int frame_index);
 
   std::unique_ptr<Sequence> sequence_;

@@ -158,9 +158,12 @@ struct RunInfo {
   std::string method;    ///< id of engine/base/methods.h, "pl-svo"
   int frames = 0;
   double rate_hz = 0;
-  Pinhole camera;           ///< of the rectified images
-  Camera original_camera;   ///< as calibrated
-  Trajectory ground_truth;  ///< empty if unknown
+  Pinhole camera;                  ///< of the rectified images
+  Camera original_camera;          ///< as calibrated
+  Trajectory ground_truth;         ///< empty if unknown
+  std::string truth_note;          ///< why it is empty, if the sequence has one
+  std::string times = "listed";    ///< where the times of the images come from: "assumed", ...
+  std::vector<std::string> notes;  ///< what was assumed when the sequence was opened
 };
 
 }  // namespace svoscope

@@ -43,8 +43,8 @@ class Tracker {
   const std::vector<Event>& events() const { return events_; }
   const InitializerOutput& startOutput() const { return start_.output(); }
 
-  /// On: both rules of the depth filter run, and every update of a seed is kept until taken. Off by
-  /// default: nobody looks.
+  /// On: every rule of the depth filter runs, and every update of a seed is kept until taken. Off
+  /// by default: nobody looks.
   void setInspected(bool on) { keeper_.setInspected(on); }
   /// Updates applied since the last call.
   std::vector<SeedUpdateView> takeSeedUpdates() { return keeper_.takeSeedUpdates(); }

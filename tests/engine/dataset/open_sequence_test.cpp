@@ -74,7 +74,8 @@ void writeKitti(const std::filesystem::path& root) {
   writeFile(root / "sequences/00/calib.txt",
             "P0: 7.1e1 0 16 0 0 7.2e1 12 0 0 0 1 0\nP1: 71 0 16 -38 0 72 12 0 0 0 1 0\n");
   writeFile(root / "sequences/00/times.txt", "0.0\n1.0e-01\n2.0e-01\n");
-  writeFile(root / "poses/00.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0.8\n");
+  writeFile(root / "poses/00.txt",
+            "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0.8\n1 0 0 0 0 1 0 0 0 0 1 1.6\n");
 }
 
 TEST(KittiSequence, ReadsCalibrationTimesAndPoses) {
@@ -89,9 +90,42 @@ TEST(KittiSequence, ReadsCalibrationTimesAndPoses) {
   EXPECT_EQ(s.camera().pinhole.width, 32);
   EXPECT_NEAR(s.camera().rate_hz, 10, 1e-9);
   EXPECT_EQ(grayOf(s, 2), 42);
-  ASSERT_EQ(s.groundTruth().size(), 2u);
+  ASSERT_EQ(s.groundTruth().size(), 3u);
   EXPECT_EQ(s.groundTruth()[1].timestamp, 0.1);
   EXPECT_EQ(s.groundTruth()[1].T_world_cam.translation().z(), 0.8);
+}
+
+TEST(KittiSequence, AMissingImageShiftsNothing) {
+  TemporaryFolder folder;
+  writeKitti(folder.path());
+  std::filesystem::remove(folder / "sequences/00/image_0/000001.png");
+  auto opened = openSequence((folder / "sequences/00").string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  Sequence& s = *opened.value();
+  ASSERT_EQ(s.size(), 2);
+  EXPECT_EQ(s.timestamp(1), 0.2);
+  ASSERT_EQ(s.groundTruth().size(), 2u);
+  EXPECT_EQ(s.groundTruth()[1].T_world_cam.translation().z(), 1.6);
+}
+
+TEST(KittiSequence, CountsThatDifferAreAnError) {
+  TemporaryFolder folder;
+  writeKitti(folder.path());
+  writeFile(folder / "poses/00.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0.8\n");
+  EXPECT_THAT(openingError(folder / "sequences/00"),
+              AllOf(HasSubstr("2 poses for 3 times"), HasSubstr("move the poses away")));
+}
+
+TEST(KittiSequence, TheColourCameraIsBesideTheGreyOne) {
+  TemporaryFolder folder;
+  writeKitti(folder.path());
+  const auto drive = folder / "sequences/00";
+  std::filesystem::rename(drive / "image_0", drive / "image_2");
+  writeFile(drive / "calib.txt", "P2: 50 0 16 -5 0 50 12 0 0 0 1 0\n");
+  auto opened = openSequence(drive.string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  EXPECT_EQ(opened.value()->camera().pinhole.fx, 50);
+  EXPECT_NEAR(opened.value()->groundTruth()[0].T_world_cam.translation().x(), 0.1, 1e-12);
 }
 
 TEST(KittiSequence, ErrorsNameTheFile) {
@@ -120,6 +154,58 @@ TEST(ImageFolder, SortsNumbersAsNumbers) {
   EXPECT_EQ(grayOf(*opened.value(), 1), 20);
   EXPECT_EQ(grayOf(*opened.value(), 2), 100);
   EXPECT_NEAR(opened.value()->timestamp(2), 0.1, 1e-12) << "rate_hz is 20";
+  EXPECT_EQ(opened.value()->timeSource(), TimeSource::rate);
+}
+
+std::string cameraWithoutRate() {
+  const std::string text = kTinyCamera;
+  return text.substr(0, text.find("  rate_hz"));
+}
+
+TEST(ImageFolder, UnknownTimesAreAssumedAndSaidSo) {
+  TemporaryFolder folder;
+  for (int i : {0, 1}) writeTinyImage(folder / ("00000" + std::to_string(i) + ".png"), 50);
+  writeText(folder / "camera.yaml", cameraWithoutRate());
+  auto opened = openSequence(folder.path().string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  EXPECT_EQ(opened.value()->timeSource(), TimeSource::assumed);
+  ASSERT_EQ(opened.value()->notes().size(), 1u);
+  EXPECT_THAT(opened.value()->notes()[0], AllOf(HasSubstr("30 Hz"), HasSubstr("--rate")));
+  OpenOptions options;
+  options.rate_hz = 50;
+  auto rated = openSequence(folder.path().string(), options);
+  ASSERT_TRUE(rated.ok());
+  EXPECT_EQ(rated.value()->timeSource(), TimeSource::rate);
+  EXPECT_NEAR(rated.value()->timestamp(1), 0.02, 1e-12);
+  EXPECT_TRUE(rated.value()->notes().empty());
+}
+
+TEST(ImageFolder, NamesThatAreTimesAreUsed) {
+  TemporaryFolder folder;
+  for (const char* name : {"1403715273262142976.png", "1403715273312142976.png"})
+    writeTinyImage(folder / "images" / name, 50);
+  writeText(folder / "camchain-cam0.yaml", kTinyCamera);
+  auto opened = openSequence(folder.path().string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  Sequence& s = *opened.value();
+  EXPECT_EQ(s.timeSource(), TimeSource::file_names);
+  EXPECT_NEAR(s.timestamp(1) - s.timestamp(0), 0.05, 1e-6);
+}
+
+TEST(TumMono, TimesBelongToTheNamesOfTheImages) {
+  TemporaryFolder folder;
+  for (int i : {0, 1, 2})
+    writeTinyImage(folder / "images" / ("0000" + std::to_string(i) + ".png"), 50);
+  writeText(folder / "times.txt", "00000 10.0 0.9\n00001 10.05 0.9\n00002 10.1 0.9\n");
+  writeText(folder / "camera.txt", "Pinhole 40 41 15.5 11.5 0\n32 24\ncrop\n32 24\n");
+  writeText(folder / "groundtruthSync.txt",
+            "10 0 0 0 0 0 0 1\n10.05 nan nan nan nan nan nan nan\n");
+  auto opened = openSequence(folder.path().string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  EXPECT_EQ(opened.value()->timestamp(2), 10.1);
+  EXPECT_EQ(opened.value()->groundTruth().size(), 1u);
+  writeText(folder / "times.txt", "00000 10.0 0.9\n");
+  EXPECT_THAT(openingError(folder.path()), HasSubstr("no time for the image"));
 }
 
 TEST(VideoSequence, ReadsForwardAndBackward) {
@@ -137,7 +223,10 @@ TEST(VideoSequence, ReadsForwardAndBackward) {
   Sequence& s = *opened.value();
   EXPECT_EQ(s.size(), 6);
   for (int i : {0, 1, 4, 4, 2, 5, 0}) EXPECT_NEAR(grayOf(s, i), 30 + 30 * i, 3) << i;
-  EXPECT_NEAR(s.timestamp(2), 0.1, 1e-12);
+  // The container says 25 Hz, the calibration 20.
+  EXPECT_NEAR(s.timestamp(2), 0.08, 1e-9);
+  ASSERT_EQ(s.notes().size(), 1u);
+  EXPECT_THAT(s.notes()[0], AllOf(HasSubstr("20 Hz"), HasSubstr("25 Hz")));
   EXPECT_TRUE(s.groundTruth().empty());
 }
 
@@ -156,8 +245,14 @@ TEST(OpenSequence, UnknownThingsListTheKnownKinds) {
 TEST(OpenSequence, TheRemedyNamesEveryLayout) {
   EXPECT_THAT(openingError("/nonexistent"),
               HasSubstr("a sequence is synthetic:PRESET, a folder with rgb.txt (TUM RGB-D), mav0/ "
-                        "(EuRoC/ASL), image_0/ (KITTI odometry) or images and camera.yaml, or a "
-                        "video with its calibration beside"));
+                        "(EuRoC/ASL), image_0/ (KITTI odometry), images/ and times.txt (TUM-mono, "
+                        "DSO), images and camera.yaml or one video and its calibration, or a video "
+                        "with its calibration beside"));
+  TemporaryFolder folder;
+  writeText(folder / "rgb.txt", "1 a.png\n");
+  writeText(folder / "x.bag", "#ROSBAG V2.0");
+  EXPECT_THAT(openingError(folder / "rgb.txt"), HasSubstr("give the folder"));
+  EXPECT_THAT(openingError(folder / "x.bag"), HasSubstr("bags are not read"));
 }
 
 TEST(OpenSequence, APartOfALayoutIsToldWhatIsMissing) {

@@ -62,8 +62,13 @@ TEST(TumSequence, DamagedListsNameFileAndLine) {
 TEST(TumSequence, DamagedTruthNamesFileAndLine) {
   TemporaryFolder folder;
   writeTinyTum(folder / "walk");
-  writeText(folder / "walk/groundtruth.txt", "1.0 0 0 0 0 0 0 0\n");
-  EXPECT_THAT(openingError(folder / "walk"), HasSubstr("groundtruth.txt:1: the quaternion"));
+  // A ground truth that cannot be read keeps nothing from opening.
+  writeText(folder / "walk/groundtruth.txt", "1.0 0 0 x 0 0 0 1\n");
+  const auto opened = openSequence((folder / "walk").string());
+  ASSERT_TRUE(opened.ok()) << opened.error().message();
+  EXPECT_TRUE(opened.value()->groundTruth().empty());
+  ASSERT_EQ(opened.value()->notes().size(), 1u);
+  EXPECT_THAT(opened.value()->notes()[0], HasSubstr("groundtruth.txt:1: 'x'"));
 }
 
 TEST(TumSequence, CameraFileErrorsNameTheKey) {

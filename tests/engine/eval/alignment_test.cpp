@@ -100,13 +100,35 @@ TEST(Alignment, DegenerateCasesAreErrors) {
   std::vector<Vec3> line, point(10, Vec3(0.1, 0.2, 0.3));
   for (int i = 0; i < 10; ++i) line.push_back(Vec3(0.1, 0.7, -0.3) * i + Vec3(5, 6, 7));
   for (const Alignment mode : {Alignment::se3, Alignment::sim3}) {
-    EXPECT_FALSE(alignPoints(line, line, mode).ok());
     EXPECT_FALSE(alignPoints(point, cloud, mode).ok());
     EXPECT_FALSE(alignPoints(cloud, point, mode).ok());
     EXPECT_FALSE(alignPoints({}, {}, mode).ok());
     EXPECT_FALSE(alignPoints({cloud[0], cloud[1]}, {cloud[0], cloud[1]}, mode).ok());
   }
   EXPECT_TRUE(alignPoints(line, line, Alignment::none).ok());
+}
+
+TEST(Alignment, OnALineTheTurnAboutItIsLeftOpen) {
+  std::vector<Vec3> line, other;
+  for (int i = 0; i < 10; ++i) {
+    line.push_back(Vec3(0.1, 0.7, -0.3) * i + Vec3(5, 6, 7));
+    other.push_back(Vec3(-0.2, 0.1, 0.4) * i + Vec3(1, 0, 2));
+  }
+  for (const Alignment mode : {Alignment::se3, Alignment::sim3}) {
+    bool straight = false;
+    const auto S = alignPoints(line, other, mode, &straight);
+    ASSERT_TRUE(S.ok());
+    EXPECT_TRUE(straight);
+    for (int i = 0; i < 10 && mode == Alignment::sim3; ++i)
+      EXPECT_LT((S.value() * line[static_cast<std::size_t>(i)] - other[static_cast<std::size_t>(i)])
+                    .norm(),
+                1e-9);
+  }
+  RandomPoints random(5);
+  const auto cloud = random.cloud(10);
+  bool straight = true;
+  EXPECT_TRUE(alignPoints(cloud, cloud, Alignment::sim3, &straight).ok());
+  EXPECT_FALSE(straight);
 }
 
 TEST(Alignment, NamesAreParsedBack) {

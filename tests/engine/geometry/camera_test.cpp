@@ -22,6 +22,8 @@ std::vector<Model> models() {
   const Pinhole fisheye{752, 480, 380, 381, 370, 245};
   return {{"none", {euroc, Distortion::none, {}, 20}},
           {"radtan", {euroc, Distortion::radtan, {-0.2834, 0.0740, 1.9e-4, 1.8e-5}, 20}},
+          {"rational",
+           {euroc, Distortion::radtan, {0.35, 0.05, 4e-4, -2e-4, 0.001, 0.55, 0.12, 0.002}, 20}},
           {"tum-fr1", cameraPreset("tum-fr1").value()},
           {"tum-fr2", cameraPreset("tum-fr2").value()},
           {"tum-fr3", cameraPreset("tum-fr3").value()},

@@ -70,7 +70,7 @@ TEST(RunWriter, MetricsHaveExactlyTheKeysOfTheContract) {
   for (const auto& item : json.items()) keys.insert(item.key());
   EXPECT_EQ(keys,
             (std::set<std::string>{
-                "frames", "tracked", "maps", "init_frame", "tracked_fraction_after_init",
+                "times", "frames", "tracked", "maps", "init_frame", "tracked_fraction_after_init",
                 "keyframes", "losses", "relocalisations", "relocalisation_time_s", "init_time_s",
                 "ate", "rpe", "time_ms", "fps", "points", "segments", "seeds", "peak_rss_mb"}));
   EXPECT_EQ(json["frames"], 32);

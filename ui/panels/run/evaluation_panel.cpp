@@ -72,10 +72,13 @@ void errorPlot(PanelContext& c) {
 
 void draw(PanelContext& c) {
   if (c.info.ground_truth.empty()) {
-    if (c.caches.run.records().empty()) {
-      return emptyState("No ground truth", "This sequence has none, so there is no error to show");
-    }
-    note("This sequence has no ground truth, so there is no error to show");
+    const std::string why = c.info.truth_note.empty()
+                                ? "This sequence has none, so there is no error to show"
+                                : "No error: " + c.info.truth_note;
+    if (c.caches.run.records().empty()) return emptyState("No ground truth", why);
+    note(c.info.truth_note.empty()
+             ? "This sequence has no ground truth, so there is no error to show"
+             : why);
     return runRows(c);
   }
   static const std::vector<const char*> modes{"No alignment", "SE(3)", "Sim(3)"};

@@ -67,6 +67,10 @@ void drawStatusBar(PanelContext& c) {
   gap();
   part(c.latest ? format("frame %d (%d of %d)", c.viewedFrame(), c.viewedFrame() + 1, frameCount(c))
                 : format("%d frames", frameCount(c)));
+  if (c.info.times == "assumed") {
+    gap();
+    part(format("times assumed: %.0f Hz", c.info.rate_hz), okabe::orange);
+  }
   gap();
   stateParts(c);
   const std::string right = engineText(c);
