@@ -31,7 +31,7 @@ Result<std::vector<ImageEntry>> readImageList(const fs::path& file) {
   return entries;
 }
 
-void attachBodyTruth(const fs::path& mav, const SE3& T_body_cam, ImageList& list) {
+void attachBodyTruth(const fs::path& mav, const std::optional<SE3>& T_body_cam, ImageList& list) {
   for (const char* source : {"state_groundtruth_estimate0", "mocap0"}) {
     const fs::path file = mav / source / "data.csv";
     if (fs::exists(file)) return attachTruth(file, T_body_cam, list);
@@ -70,7 +70,9 @@ OpenedSequence openFolder(const fs::path& folder, const OpenOptions& options) {
   list.camera_source = found.value().file.string();
   list.notes = calibration.notes;
   if (list.camera.rate_hz == 0) list.camera.rate_hz = medianRate(list.entries);
-  attachBodyTruth(mav, calibration.T_body_cam, list);
+  const std::optional<SE3> T_body_cam =
+      calibration.has_body ? std::make_optional(calibration.T_body_cam) : std::nullopt;
+  attachBodyTruth(mav, T_body_cam, list);
   if (!list.truth.empty() && !calibration.has_body)
     list.notes.push_back(
         "the calibration does not say where the camera sits on the body: poses of "

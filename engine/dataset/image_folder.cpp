@@ -42,7 +42,7 @@ OpenedSequence openFolder(const fs::path& folder, const OpenOptions& options) {
   for (size_t i = 0; i < images.size(); ++i)
     list.entries.push_back({times.seconds[i], images[i], {}});
   list.camera.rate_hz = medianRate(list.entries);
-  attachTruth(folder / "groundtruth.txt", SE3(), list);
+  attachTruth(folder / "groundtruth.txt", std::nullopt, list);
   return ListSequence::open(std::move(list));
 }
 

@@ -5,7 +5,8 @@
 
 namespace svoscope {
 
-void attachTruth(const std::filesystem::path& file, const SE3& T_body_cam, ImageList& list) {
+void attachTruth(const std::filesystem::path& file, const std::optional<SE3>& T_body_cam,
+                 ImageList& list) {
   std::error_code ec;
   if (!std::filesystem::exists(file, ec)) return;
   auto read = loadTrajectory(file);
@@ -15,14 +16,13 @@ void attachTruth(const std::filesystem::path& file, const SE3& T_body_cam, Image
   }
   TrajectoryFile& truth = read.value();
   for (const std::string& warning : truth.warnings) list.notes.push_back(warning);
-  const bool turned = truth.positions_only && T_body_cam.translation().norm() > 1e-6;
-  if (turned) {
+  if (truth.positions_only && T_body_cam) {
     list.notes.push_back(file.string() +
                          ": positions without orientation stay those of the body, the camera is "
                          "beside it");
   }
   for (StampedPose& pose : truth.poses) {
-    if (!truth.positions_only) pose.T_world_cam = pose.T_world_cam * T_body_cam;
+    if (T_body_cam && !truth.positions_only) pose.T_world_cam = pose.T_world_cam * *T_body_cam;
   }
   list.truth = std::move(truth.poses);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "engine/dataset/list_sequence.h"
 
@@ -11,6 +12,7 @@ namespace svoscope {
 
 /// Reads `file`, if it is there, as poses of the camera, or of a body that carries it at
 /// T_body_cam.
-void attachTruth(const std::filesystem::path& file, const SE3& T_body_cam, ImageList& list);
+void attachTruth(const std::filesystem::path& file, const std::optional<SE3>& T_body_cam,
+                 ImageList& list);
 
 }  // namespace svoscope

@@ -66,7 +66,7 @@ OpenedSequence openFolder(const fs::path& folder, const OpenOptions& options) {
   list.notes = found.value().calibration.notes;
   list.camera.rate_hz = medianRate(list.entries);
   for (const char* name : {"groundtruthSync.txt", "groundtruth.txt"}) {
-    if (list.truth.empty()) attachTruth(folder / name, SE3(), list);
+    if (list.truth.empty()) attachTruth(folder / name, std::nullopt, list);
   }
   return ListSequence::open(std::move(list));
 }

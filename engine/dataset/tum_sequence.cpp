@@ -184,7 +184,7 @@ OpenedSequence openFolder(const fs::path& folder, const OpenOptions& options) {
   if (!found) return found.error();
   if (areFrameNumbers(list.entries)) countTimes(options, list);
   if (list.camera.rate_hz == 0) list.camera.rate_hz = medianRate(list.entries);
-  attachTruth(folder / "groundtruth.txt", SE3(), list);
+  attachTruth(folder / "groundtruth.txt", std::nullopt, list);
   const Status depth = attachDepthList(folder, list);
   if (!depth) return depth.error();
   return ListSequence::open(std::move(list));
